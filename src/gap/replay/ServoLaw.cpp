@@ -11,22 +11,21 @@ namespace {
 constexpr double fadeShare = 0.1;  // of the speed limit, over which the torque fades to nothing
 
 /// Holds a torque within a limit that fades with the speed in the torque's direction.
-ServoLine limited(const ServoLine& line, double x, double w, double limit, double maxSpeed) {
+void holdWithin(double limit, double maxSpeed, double x, double w, ServoLine& line) {
   const double torque = line.at(x, w), sign = torque < 0 ? -1 : 1;
   const double speed = sign * w, fadeFrom = (1 - fadeShare) * maxSpeed;
   double allowed = limit;
   if (maxSpeed > 0 && speed > fadeFrom) allowed *= std::max(0.0, (maxSpeed - speed) / (fadeShare * maxSpeed));
-  if (std::abs(torque) <= allowed) return line;
-  ServoLine limitedLine;
+  if (std::abs(torque) <= allowed) return;
+  line = {};
   if (maxSpeed > 0 && speed > fadeFrom && speed < maxSpeed) {
-    limitedLine.damping = limit / (fadeShare * maxSpeed);
-    limitedLine.torque = sign * limitedLine.damping * maxSpeed;
-    limitedLine.regime = sign > 0 ? 3 : 4;
+    line.damping = limit / (fadeShare * maxSpeed);
+    line.torque = sign * line.damping * maxSpeed;
+    line.regime = sign > 0 ? 3 : 4;
   } else {
-    limitedLine.torque = sign * allowed;
-    limitedLine.regime = allowed > 0 ? (sign > 0 ? 1 : 2) : 5;
+    line.torque = sign * allowed;
+    line.regime = allowed > 0 ? (sign > 0 ? 1 : 2) : 5;
   }
-  return limitedLine;
 }
 
 /// What a dead band leaves of an error: nothing within it; beyond it all, or what exceeds it.
@@ -44,47 +43,53 @@ Banded banded(const JointPlant& plant, double error) {
 
 }  // namespace
 
-double measuredAngle(const JointPlant& plant, double angle) {
-  const double shown = angle - plant.offset;
-  if (plant.encoderAmplitude == 0) return shown;
-  return shown + plant.encoderAmplitude * std::sin(shown + plant.encoderPhase);
+ServoTerms::ServoTerms(const JointPlant& plant, const Given& from) : given(from) {
+  const auto [share, volts, limitShare, supplyShare] = from;
+  const Servo& servo = plant.servo;
+  if (servo.model == Servo::Model::position) {
+    stiffness = share * servo.kp;
+    damping = share * servo.kd;
+    limits = true;
+    limit = share * plant.maxTorque * plant.torqueFactor * limitShare * supplyShare;
+    maxSpeed = plant.maxSpeed * supplyShare;
+  } else {
+    const double vin = (volts > 0 ? volts : servo.vin * supplyShare) * plant.supplyFactor;
+    gain = servo.kpFirmware * servo.errorGain;
+    push = share * servo.kt / servo.R * vin;
+    stiffness = push * gain;
+    damping = share * (servo.kt * servo.kt / servo.R + plant.extraDamping);
+    limits = plant.torqueFactor < 1 || limitShare < 1;
+    limit = share * plant.maxTorque * plant.torqueFactor * limitShare;
+  }
 }
 
-ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
-                    double limitShare, double supplyShare, double speed, double torque) {
+ServoLine servoLine(const JointPlant& plant, const ServoTerms& terms, double command, double x, double w,
+                    double speed, double torque) {
   ServoLine line;
-  if (share <= 0) return line;
+  if (terms.given.share <= 0) return line;
   // The encoder's error changes slowly enough to be taken at the state given.
   double target = command + (x - measuredAngle(plant, x));
   const auto [band, takenOff] = banded(plant, target - x);
   if (band != 10) target -= takenOff;
-  const Servo& servo = plant.servo;
-  if (servo.model == Servo::Model::position) {
-    line.stiffness = band == 10 ? 0 : share * servo.kp;
-    line.damping = share * servo.kd;
+  line.damping = terms.damping;
+  const double duty = band == 10 ? 0 : terms.gain * (target - x);
+  if (std::abs(duty) > plant.servo.maxPwm && plant.servo.model == Servo::Model::dcMotor) {
+    line.torque = terms.push * std::copysign(plant.servo.maxPwm, duty);
+    line.regime = duty > 0 ? 6 : 7;
+  } else if (band != 10) {
+    line.stiffness = terms.stiffness;
     line.torque = line.stiffness * target;
-    if (speed != 0 || torque != 0) line.torque += line.damping * speed + share * torque;
-    line = limited(line, x, w, share * plant.maxTorque * plant.torqueFactor * limitShare * supplyShare,
-                   plant.maxSpeed * supplyShare);
-  } else {
-    const double vin = (volts > 0 ? volts : servo.vin * supplyShare) * plant.supplyFactor;
-    const double gain = band == 10 ? 0 : servo.kpFirmware * servo.errorGain,
-                 push = share * servo.kt / servo.R * vin;
-    const double duty = gain * (target - x);
-    line.damping = share * (servo.kt * servo.kt / servo.R + plant.extraDamping);
-    if (std::abs(duty) > servo.maxPwm) {
-      line.torque = push * std::copysign(servo.maxPwm, duty);
-      line.regime = duty > 0 ? 6 : 7;
-    } else {
-      line.stiffness = push * gain;
-      line.torque = line.stiffness * target;
-    }
-    if (plant.torqueFactor < 1 || limitShare < 1) {
-      line = limited(line, x, w, share * plant.maxTorque * plant.torqueFactor * limitShare, 0);
-    }
   }
+  if ((speed != 0 || torque != 0) && plant.servo.model == Servo::Model::position)
+    line.torque += line.damping * speed + terms.given.share * torque;
+  if (terms.limits) holdWithin(terms.limit, terms.maxSpeed, x, w, line);
   line.regime += band;
   return line;
+}
+
+ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
+                    double limitShare, double supplyShare, double speed, double torque) {
+  return servoLine(plant, {plant, {share, volts, limitShare, supplyShare}}, command, x, w, speed, torque);
 }
 
 double dutyThatDraws(const JointPlant& plant, double current, double speed, double volts) {

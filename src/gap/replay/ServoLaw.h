@@ -1,4 +1,6 @@
 #pragma once
+#include <cmath>
+
 #include "gap/replay/Plant.h"
 
 namespace plumbline::gap {
@@ -14,14 +16,40 @@ struct ServoLine {
   double at(double x, double w) const { return torque - stiffness * x - damping * w; }
 };
 
+/// What a servo's law takes from outside beside its command, and what follows from it whatever the state is.
+struct ServoTerms {
+  /// share: stiffness 0..1. volts: measured supply, 0: as in the table. limitShare: share of the torque limit
+  /// that heat leaves. supplyShare: share of the supply that the load leaves, if the supply is not measured.
+  struct Given {
+    double share = 0, volts = 0, limitShare = 1, supplyShare = 1;
+    bool operator==(const Given&) const = default;
+  };
+  ServoTerms() = default;
+  ServoTerms(const JointPlant& plant, const Given& from);
+
+  Given given;
+  double stiffness = 0;  ///< outside the dead band [N m/rad]
+  double damping = 0;    ///< [N m s/rad]
+  double gain = 0;       ///< duty of a DC motor per error [1/rad]
+  double push = 0;       ///< its torque at full duty [N m]
+  bool limits = false;
+  double limit = 0, maxSpeed = 0;  ///< [N m], [rad/s]; maxSpeed 0: none
+};
+
 /// The encoder's reading for a true angle.
-double measuredAngle(const JointPlant& plant, double angle);
+inline double measuredAngle(const JointPlant& plant, double angle) {
+  const double shown = angle - plant.offset;
+  if (plant.encoderAmplitude == 0) return shown;
+  return shown + plant.encoderAmplitude * std::sin(shown + plant.encoderPhase);
+}
 
 /// The servo laws (position and dc_motor) of doc/reference/robot-files.md with the changes by effects.
-/// command [rad]. share: stiffness 0..1. volts: measured supply, 0: as in the table. x: true angle on the
-/// encoder's side, w: its speed. limitShare: share of the torque limit that heat leaves. supplyShare: share
-/// of the supply that the load leaves, if the supply is not measured. speed, torque: sent with the command; a
+/// command [rad]. x: true angle on the encoder's side, w: its speed. speed, torque: sent with the command; a
 /// DC motor's law ignores them [rad/s, N m].
+ServoLine servoLine(const JointPlant& plant, const ServoTerms& terms, double command, double x, double w,
+                    double speed = 0, double torque = 0);
+
+/// The same for terms that are not needed again, see ServoTerms::Given.
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
                     double limitShare, double supplyShare = 1, double speed = 0, double torque = 0);
 

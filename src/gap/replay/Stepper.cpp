@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "gap/replay/DoublePair.h"
 #include "gap/replay/SolePlate.h"
 #include "gap/replay/TruePose.h"
 
@@ -31,7 +32,7 @@ Stepper::Stepper(const Plant& plant, const Trial& trial, const std::vector<int>&
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto joint = index(joints[i]);
     const JointPlant& p = plant_.joints[joint];
-    Drive drive{.path = CommandPath(p, trial_, joint, lostCycles)};
+    Drive drive{.path = CommandPath(p, trial_, joint, lostCycles), .plant = &p};
     drive.joint = joints[i];
     drive.link = drive.motor = tree_.baseSize() + static_cast<int>(i);
     drive.armature = p.servo.armature;
@@ -66,6 +67,7 @@ Stepper::Stepper(const Plant& plant, const Trial& trial, const std::vector<int>&
     contacts_ = std::make_shared<Contacts>(plant_, tree_);
     placeOnGround();
   }
+  takeForces();
   hold();
 }
 
@@ -73,124 +75,156 @@ void Stepper::lose(const std::vector<std::uint8_t>* lostCycles) {
   for (Drive& drive : drives_) drive.path.lose(lostCycles);
 }
 
-double Stepper::limitShare(const Drive& drive) const {
-  const double loss = plant_.joints[index(drive.joint)].deratingPerJoule;
-  return loss > 0 ? std::max(0.0, 1 - loss * drive.heat) : 1;
+/// Links of chains that are not replayed here carry it themselves.
+void Stepper::takeForces() {
+  for (const ExternalForce& external : plant_.forces) {
+    const auto carries = [&](const Drive& d) {
+      return plant_.mechanism.joints[index(d.joint)].child == external.link;
+    };
+    if (external.link == 0 || std::ranges::any_of(drives_, carries)) forces_.push_back(&external);
+  }
+}
+
+ServoTerms::Given Stepper::givenTo(const Drive& drive) const {
+  const double loss = drive.plant->deratingPerJoule;
+  return {drive.path.stiffness(), drive.path.voltage(), loss > 0 ? std::max(0.0, 1 - loss * drive.heat) : 1,
+          supply_.sags() ? supply_.left(*drive.plant) : 1};
 }
 
 DryFriction Stepper::frictionBound(const Drive& drive) const {
-  return dryFriction(plant_.joints[index(drive.joint)], v_[drive.motor], drive.load);
+  return dryFriction(*drive.plant, v_[drive.motor], drive.load);
 }
 
 void Stepper::assemble(double h) {
   const double a = weight_ * h;
-  const int rigid = tree_.size();
-  A_.setZero();
-  A_.topLeftCorner(rigid, rigid) = tree_.mass();
-  force_.setZero();
-  force_.head(rigid) = -tree_.bias();
-  for (const ExternalForce& external : plant_.forces) {
-    const auto& link = plant_.mechanism.links[index(external.link)];
-    // Links of chains that are not replayed here carry it themselves.
-    if (external.link != 0 && !std::ranges::any_of(drives_, [&](const Drive& d) {
-          return plant_.mechanism.joints[index(d.joint)].child == external.link;
-        })) {
-      continue;
-    }
-    Eigen::VectorXd tau = Eigen::VectorXd::Zero(rigid);
-    tree_.addForce(external.link, tree_.origin(external.link) + tree_.rotation(external.link) * link.com,
-                   external.force, tau);
-    force_.head(rigid) += tau;
+  const int rigid = tree_.size(), n = n_;
+  double *const A = A_.data(), *const force = force_.data(), *const rhs = rhs_.data();
+  const auto at = [A, n](int row, int column) -> double& { return A[row + n * column]; };
+  if (n > rigid) A_.setZero();
+  for (int column = 0; column < rigid; ++column)
+    std::copy_n(tree_.mass().data() + column * rigid, rigid, A + column * n);
+  for (int i = 0; i < rigid; ++i) force[i] = -tree_.bias()[i];
+  std::fill(force + rigid, force + n, 0.0);
+  for (const ExternalForce* external : forces_) {
+    const auto& link = plant_.mechanism.links[index(external->link)];
+    tree_.addForce(external->link, tree_.origin(external->link) + tree_.rotation(external->link) * link.com,
+                   external->force, force_);
   }
-  for (Drive& drive : drives_) A_(drive.motor, drive.motor) += drive.armature;
-  rhs_.noalias() = A_ * v_;
-  for (Drive& drive : drives_) {
-    const JointPlant& p = plant_.joints[index(drive.joint)];
+  for (const Drive& drive : drives_) at(drive.motor, drive.motor) += drive.armature;
+  rhs_.setZero();
+  for (int column = 0; column < n; ++column) addScaled(rhs, v_[column], A + column * n, n);
+  for (const Drive& drive : drives_) {
+    const JointPlant& p = *drive.plant;
     const ServoLine& line = drive.line;
-    force_[drive.motor] += line.torque - line.stiffness * q_[drive.sensed];
+    double& diagonal = at(drive.motor, drive.motor);
+    force[drive.motor] += line.torque - line.stiffness * q_[drive.sensed];
     if (drive.sensed == drive.motor) {
-      A_(drive.motor, drive.motor) += a * a * line.stiffness + a * line.damping;
+      diagonal += a * a * line.stiffness + a * line.damping;
     } else {
       // The servo feels the link across the gear: explicit, for a matrix that stays symmetric.
-      force_[drive.motor] -= (line.stiffness * a + line.damping) * v_[drive.sensed];
+      force[drive.motor] -= (line.stiffness * a + line.damping) * v_[drive.sensed];
     }
-    A_(drive.motor, drive.motor) += a * p.viscous;
-    force_[drive.link] += p.biasForce;
-    for (const JointTorque& torque : p.torques) force_[drive.link] += torque(q_[drive.link], v_[drive.link]);
+    diagonal += a * p.viscous;
+    force[drive.link] += p.biasForce;
+    for (const JointTorque& torque : p.torques) force[drive.link] += torque(q_[drive.link], v_[drive.link]);
   }
   for (const Gear& gear : gears_) {
     if (gear.play > 0 && gear.side == 0) continue;
     const Drive& drive = drives_[index(gear.drive)];
     const double stretch = q_[drive.motor] - q_[drive.link] - gear.side * gear.play / 2;
     const double implicit = a * gear.damping + a * a * gear.stiffness;
-    force_[drive.motor] -= gear.stiffness * stretch;
-    force_[drive.link] += gear.stiffness * stretch;
-    A_(drive.motor, drive.motor) += implicit;
-    A_(drive.link, drive.link) += implicit;
-    A_(drive.motor, drive.link) -= implicit;
-    A_(drive.link, drive.motor) -= implicit;
+    force[drive.motor] -= gear.stiffness * stretch;
+    force[drive.link] += gear.stiffness * stretch;
+    at(drive.motor, drive.motor) += implicit;
+    at(drive.link, drive.link) += implicit;
+    at(drive.motor, drive.link) -= implicit;
+    at(drive.link, drive.motor) -= implicit;
   }
-  rhs_ += a * force_;
+  for (int i = 0; i < n; ++i) rhs[i] += a * force[i];
 }
 
 void Stepper::solve(double h) {
   factor_.compute(A_);
   const auto rows = static_cast<Eigen::Index>(frictions_.size());
-  solved_.setZero(n_, rows + 1);
-  for (Eigen::Index i = 0; i < rows; ++i) solved_(frictions_[static_cast<std::size_t>(i)].coordinate, i) = h;
-  solved_.col(rows) = rhs_;
+  const Eigen::Index width = SmallFactor::fullWidth(rows + 1);
+  solved_.setZero(n_, width);
+  double* const solved = solved_.data();
+  for (Eigen::Index i = 0; i < rows; ++i) solved[frictions_[static_cast<std::size_t>(i)].coordinate * width + i] = h;
+  for (Eigen::Index i = 0; i < n_; ++i) solved[i * width + rows] = rhs_[i];
   factor_.solveInPlace(solved_);
-  u_ = solved_.col(rows);
-  Eigen::VectorXd& fresh = predicted_;  // velocity at the end of the step
-  fresh = v_ + (u_ - v_) / weight_;
-  if (!frictions_.empty() || contacts_) {
+  // Velocity in the step, and at its end.
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    u_[i] = solved[i * width + rows];
+    predicted_[i] = v_[i] + (u_[i] - v_[i]) / weight_;
+  }
+  if (rows || contacts_) bind(h);
+}
+
+/// Takes frictions and contacts into the new velocity.
+void Stepper::bind(double h) {
+  const auto rows = static_cast<Eigen::Index>(frictions_.size());
+  Eigen::VectorXd& fresh = predicted_;
+  columns_ = solved_.leftCols(rows);
+  for (std::size_t i = 0; i < frictions_.size() && !contacts_; ++i)
+    addScaled(fresh.data(), frictions_[i].force, columns_.data() + static_cast<Eigen::Index>(i) * n_, n_);
+  if (!contacts_) {
+    sweepFrictions(fresh.data());
+  } else {
     unbound_ = fresh;
-    columns_ = solved_.leftCols(rows);
     pushed_.setZero(n_);
     double hold = 0;
     for (const Friction& friction : frictions_)
       hold += (friction.bound.forward + friction.bound.backward) / 2;
-    if (contacts_) contacts_->prepare(factor_, h);
-    const int rounds = rows && contacts_ ? mostRounds : 1;
+    contacts_->prepare(factor_, h);
+    const int rounds = rows ? mostRounds : 1;
     for (int round = 0; round < rounds; ++round) {
       fresh = unbound_ + pushed_;
       for (Eigen::Index i = 0; i < rows; ++i)
         fresh += columns_.col(i) * frictions_[static_cast<std::size_t>(i)].force;
-      double changed = 0;  // what contacts have undone of what frictions hold
-      for (int sweep = 0; sweep < (rows > 1 ? frictionSweeps : 1); ++sweep) {
-        double moved = 0;
-        for (Eigen::Index i = 0; i < rows; ++i) {
-          Friction& friction = frictions_[static_cast<std::size_t>(i)];
-          const double w = columns_(friction.coordinate, i);
-          const double wanted = std::clamp(friction.force - fresh[friction.coordinate] / w,
-                                           -friction.bound.forward, friction.bound.backward);
-          const double delta = wanted - friction.force;
-          fresh += columns_.col(i) * delta;
-          friction.force = wanted;
-          moved += std::abs(delta);
-        }
-        if (sweep == 0) changed = moved;
-        if (moved < 1e-9) break;
-      }
-      // Else what sticks would creep.
-      if (!contacts_ || (round > 0 && changed <= agreed * hold)) break;
+      // What contacts have undone of what frictions hold: else what sticks would creep.
+      const double changed = sweepFrictions(fresh.data());
+      if (round > 0 && changed <= agreed * hold) break;
       const Eigen::VectorXd before = fresh - pushed_;
       fresh = before;
       contacts_->solve(h, fresh);
       pushed_ = fresh - before;
     }
-    u_ = v_ + weight_ * (fresh - v_);
   }
+  for (Eigen::Index i = 0; i < n_; ++i) u_[i] = v_[i] + weight_ * (fresh[i] - v_[i]);
+}
+
+/// Frictions that hold what moves, each as much as it can, one after the other. Returns by how much the first
+/// round changed them [N m]. fresh: the new velocity.
+double Stepper::sweepFrictions(double* fresh) {
+  double changed = 0;
+  const int sweeps = frictions_.size() > 1 ? frictionSweeps : 1;
+  for (int sweep = 0; sweep < sweeps; ++sweep) {
+    double moved = 0;
+    const double* column = columns_.data();
+    for (Friction& friction : frictions_) {
+      const double wanted = std::clamp(friction.force - fresh[friction.coordinate] / column[friction.coordinate],
+                                       -friction.bound.forward, friction.bound.backward);
+      const double delta = wanted - friction.force;
+      if (delta != 0) {
+        addScaled(fresh, delta, column, n_);
+        friction.force = wanted;
+        moved += std::abs(delta);
+      }
+      column += n_;
+    }
+    if (sweep == 0) changed = moved;
+    if (moved < 1e-9) break;
+  }
+  return changed;
 }
 
 bool Stepper::regimesHold(double h) {
   const double a = weight_ * h;
   bool same = true;
   for (Drive& drive : drives_) {
-    const ServoLine line = servoLine(
-        plant_.joints[index(drive.joint)], drive.command, drive.path.stiffness(), drive.path.voltage(),
-        q_[drive.sensed] + a * u_[drive.sensed], u_[drive.sensed], limitShare(drive),
-        supply_.left(plant_.joints[index(drive.joint)]), drive.path.speedSent(), drive.path.torqueSent());
+    const double w = u_[drive.sensed];
+    const ServoLine line = servoLine(*drive.plant, drive.terms, drive.command, q_[drive.sensed] + a * w, w,
+                                     drive.path.speedSent(), drive.path.torqueSent());
     if (line.regime != drive.line.regime) same = false;
     drive.line = line;
   }
@@ -211,9 +245,13 @@ void Stepper::step(double from, double to) {
     drive.command = drive.path.over(from, to);
     drive.shownBefore = drive.shown;
     drive.rateBefore = drive.rate;
+    if (const ServoTerms::Given given = givenTo(drive); given != drive.terms.given)
+      drive.terms = ServoTerms(*drive.plant, given);
   }
-  u_ = v_;
-  qm_ = q_ + a * v_;
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    u_[i] = v_[i];
+    qm_[i] = q_[i] + a * v_[i];
+  }
   Mat3 R = T_world_base_.linear();
   Vec3 middle = T_world_base_.translation();
   if (trial_.freeBase) {
@@ -229,31 +267,30 @@ void Stepper::step(double from, double to) {
   for (int round = 0; round < maxRegimes; ++round) {
     assemble(h);
     solve(h);
-    const std::vector<Gear> gearsUsed = gears_;
+    gearsUsed_ = gears_;
     if (regimesHold(h)) break;
-    if (round + 1 == maxRegimes) gears_ = gearsUsed;
+    if (round + 1 == maxRegimes) gears_ = gearsUsed_;
   }
   advance(h);
 }
 
 void Stepper::advance(double h) {
-  acceleration_ = (predicted_ - v_).head(tree_.size()) / h;
-  for (Drive& drive : drives_) {
-    drive.torque = drive.line.at(q_[drive.sensed] + weight_ * h * u_[drive.sensed], u_[drive.sensed]);
-    drive.heat +=
-        h * std::abs(drive.torque) *
-        (plant_.joints[index(drive.joint)].heatIsWork ? std::abs(u_[drive.motor]) : std::abs(drive.torque));
-  }
+  for (Eigen::Index i = 0; i < tree_.size(); ++i) acceleration_[i] = (predicted_[i] - v_[i]) / h;
   double torques = 0;
   for (Drive& drive : drives_) {
+    drive.torque = drive.line.at(q_[drive.sensed] + weight_ * h * u_[drive.sensed], u_[drive.sensed]);
+    drive.heat += h * std::abs(drive.torque) *
+                  (drive.plant->heatIsWork ? std::abs(u_[drive.motor]) : std::abs(drive.torque));
     const double gear = drive.torque - drive.armature * (predicted_[drive.motor] - v_[drive.motor]) / h;
     drive.load = {drive.torque, gear, gear};
     torques += std::abs(drive.torque);
   }
   for (const Friction& friction : frictions_) drives_[index(friction.drive)].load.link += friction.force;
   supply_.take(torques, h);
-  q_ += h * u_;
-  v_ = predicted_;
+  for (Eigen::Index i = 0; i < n_; ++i) {
+    q_[i] += h * u_[i];
+    v_[i] = predicted_[i];
+  }
   if (trial_.freeBase) {
     T_world_base_.translation() += h * u_.head<3>();
     const Vec3 turn = h * u_.segment<3>(3);
@@ -266,7 +303,7 @@ void Stepper::advance(double h) {
     if (T_world_base_.linear()(2, 2) < 0.5) hasFallen_ = true;
   }
   for (Drive& drive : drives_) {
-    drive.shown = measuredAngle(plant_.joints[index(drive.joint)], q_[drive.sensed]);
+    drive.shown = measuredAngle(*drive.plant, q_[drive.sensed]);
     drive.rate = v_[drive.sensed];
   }
 }
@@ -284,17 +321,17 @@ double Stepper::supplyCurrent(int node, double current, double rate) const {
 
 double Stepper::torqueAt(int node, double shown, double rate) const {
   const Drive& drive = drives_[index(node)];
-  const JointPlant& plant = plant_.joints[index(drive.joint)];
+  const JointPlant& plant = *drive.plant;
   // The encoder's error changes slowly enough to be taken at the reading.
   const double angle = 2 * shown - measuredAngle(plant, shown);
-  return servoLine(plant, drive.path.atEnd(), drive.path.stiffness(), drive.path.voltage(), angle, rate,
-                   limitShare(drive), supply_.left(plant), drive.path.speedSent(), drive.path.torqueSent())
+  return servoLine(plant, {plant, givenTo(drive)}, drive.path.atEnd(), angle, rate, drive.path.speedSent(),
+                   drive.path.torqueSent())
       .at(angle, rate);
 }
 
 double Stepper::duty(int node, double shown) const {
   const Drive& drive = drives_[index(node)];
-  return dutyOf(plant_.joints[index(drive.joint)], drive.path.atEnd(), shown);
+  return dutyOf(*drive.plant, drive.path.atEnd(), shown);
 }
 
 void Stepper::beginBody() {

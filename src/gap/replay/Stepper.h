@@ -58,11 +58,13 @@ public:
 private:
   struct Drive {
     CommandPath path;
+    const JointPlant* plant = nullptr;
     int joint = 0;
     int link = 0;    ///< coordinate of the link
     int motor = 0;   ///< coordinate of the rotor; the link's if the gear is rigid
     int sensed = 0;  ///< coordinate that the encoder measures
     double command = 0, armature = 0;
+    ServoTerms terms = {};
     ServoLine line = {};
     double torque = 0, heat = 0;
     GearLoad load = {};  ///< load that presses the gear's teeth together
@@ -79,11 +81,14 @@ private:
     double force = 0;
   };
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
-  double limitShare(const Drive& drive) const;
+  void takeForces();
+  ServoTerms::Given givenTo(const Drive& drive) const;
   DryFriction frictionBound(const Drive& drive) const;
   void assemble(double h);
   bool regimesHold(double h);
   void solve(double h);
+  void bind(double h);
+  double sweepFrictions(double* fresh);
   void advance(double h);
   void placeOnGround();
   void standOn(int foot);
@@ -93,8 +98,9 @@ private:
   const Trial& trial_;
   TreeDynamics tree_;
   std::vector<Drive> drives_;
-  std::vector<Gear> gears_;
+  std::vector<Gear> gears_, gearsUsed_;
   std::vector<Friction> frictions_;
+  std::vector<const ExternalForce*> forces_;  ///< on links that move here
   std::shared_ptr<Contacts> contacts_;  ///< of a free base
   SupplyRail supply_;
   double weight_;  ///< weight of the new velocity in the motion of the step (1/2: midpoint)
@@ -106,7 +112,7 @@ private:
   Eigen::MatrixXd A_;
   SmallFactor factor_;
   // Of solve(), kept for their memory: velocity without frictions and contacts, what contacts add, what
-  // each friction does; and both solved at once.
+  // each friction does (in columns); and both solved at once.
   Eigen::VectorXd unbound_, pushed_;
   Eigen::MatrixXd columns_;
   SmallFactor::Rows solved_;

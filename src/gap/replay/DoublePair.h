@@ -1,0 +1,49 @@
+#pragma once
+#include <cstring>
+
+namespace plumbline::gap {
+
+/// Two doubles that are worked on at once, each as it would be alone: for rows and columns of matrices that
+/// are too small for Eigen's loops. The compiler makes one operation of two on every machine we know.
+using DoublePair = double __attribute__((vector_size(16)));
+
+/// Eight of them, so that enough is under way at once.
+struct DoubleEight {
+  DoublePair a, b, c, d;
+};
+
+/// Reads and writes consecutive doubles, wherever they lie.
+template <typename T>
+T readDoubles(const double* from) {
+  T result;
+  std::memcpy(&result, from, sizeof result);
+  return result;
+}
+template <typename T>
+void writeDoubles(double* to, const T& values) {
+  std::memcpy(to, &values, sizeof values);
+}
+
+inline double less(double from, double factor, double what) { return from - factor * what; }
+inline DoublePair less(DoublePair from, double factor, DoublePair what) { return from - factor * what; }
+/// from - factor * what, each.
+inline DoubleEight less(const DoubleEight& from, double factor, const DoubleEight& what) {
+  return {less(from.a, factor, what.a), less(from.b, factor, what.b), less(from.c, factor, what.c),
+          less(from.d, factor, what.d)};
+}
+
+inline double times(double value, double factor) { return value * factor; }
+inline DoublePair times(DoublePair value, double factor) { return value * factor; }
+inline DoubleEight times(const DoubleEight& value, double factor) {
+  return {value.a * factor, value.b * factor, value.c * factor, value.d * factor};
+}
+
+/// to[i] += factor * from[i] for i in [0, n).
+inline void addScaled(double* to, double factor, const double* from, long n) {
+  long i = 0;
+  for (; i + 1 < n; i += 2)
+    writeDoubles(to + i, readDoubles<DoublePair>(to + i) + factor * readDoubles<DoublePair>(from + i));
+  if (i < n) to[i] += factor * from[i];
+}
+
+}  // namespace plumbline::gap
