@@ -43,44 +43,54 @@ Banded banded(const JointPlant& plant, double error) {
 
 }  // namespace
 
-ServoTerms::ServoTerms(const JointPlant& plant, const Given& from) : given(from) {
+ServoTerms::ServoTerms(const JointPlant& of, const Given& from) : given(from) {
   const auto [share, volts, limitShare, supplyShare] = from;
-  const Servo& servo = plant.servo;
+  if (share <= 0) return;
+  plant = &of;
+  const Servo& servo = of.servo;
+  limit = share * of.maxTorque * of.torqueFactor * limitShare;
   if (servo.model == Servo::Model::position) {
     stiffness = share * servo.kp;
     damping = share * servo.kd;
-    limits = true;
-    limit = share * plant.maxTorque * plant.torqueFactor * limitShare * supplyShare;
-    maxSpeed = plant.maxSpeed * supplyShare;
+    takesSent = limits = true;
+    limit *= supplyShare;
+    maxSpeed = of.maxSpeed * supplyShare;
   } else {
-    const double vin = (volts > 0 ? volts : servo.vin * supplyShare) * plant.supplyFactor;
+    const double vin = (volts > 0 ? volts : servo.vin * supplyShare) * of.supplyFactor;
     gain = servo.kpFirmware * servo.errorGain;
     push = share * servo.kt / servo.R * vin;
+    maxDuty = servo.maxPwm;
     stiffness = push * gain;
-    damping = share * (servo.kt * servo.kt / servo.R + plant.extraDamping);
-    limits = plant.torqueFactor < 1 || limitShare < 1;
-    limit = share * plant.maxTorque * plant.torqueFactor * limitShare;
+    damping = share * (servo.kt * servo.kt / servo.R + of.extraDamping);
+    limits = of.torqueFactor < 1 || limitShare < 1;
   }
 }
 
-ServoLine servoLine(const JointPlant& plant, const ServoTerms& terms, double command, double x, double w,
-                    double speed, double torque) {
+ServoLine servoLine(const ServoTerms& terms, double command, double x, double w, double speed,
+                    double torque) {
   ServoLine line;
-  if (terms.given.share <= 0) return line;
+  if (!terms.plant) return line;
+  const JointPlant& plant = *terms.plant;
   // The encoder's error changes slowly enough to be taken at the state given.
   double target = command + (x - measuredAngle(plant, x));
-  const auto [band, takenOff] = banded(plant, target - x);
-  if (band != 10) target -= takenOff;
-  line.damping = terms.damping;
-  const double duty = band == 10 ? 0 : terms.gain * (target - x);
-  if (std::abs(duty) > plant.servo.maxPwm && plant.servo.model == Servo::Model::dcMotor) {
-    line.torque = terms.push * std::copysign(plant.servo.maxPwm, duty);
-    line.regime = duty > 0 ? 6 : 7;
-  } else if (band != 10) {
-    line.stiffness = terms.stiffness;
-    line.torque = line.stiffness * target;
+  int band = 0;
+  if (plant.deadBand > 0) {
+    const Banded left = banded(plant, target - x);
+    band = left.regime;
+    if (band != 10) target -= left.takenOff;
   }
-  if ((speed != 0 || torque != 0) && plant.servo.model == Servo::Model::position)
+  line.damping = terms.damping;
+  if (band != 10) {
+    const double duty = terms.gain * (target - x);
+    if (std::abs(duty) > terms.maxDuty) {
+      line.torque = terms.push * std::copysign(terms.maxDuty, duty);
+      line.regime = duty > 0 ? 6 : 7;
+    } else {
+      line.stiffness = terms.stiffness;
+      line.torque = line.stiffness * target;
+    }
+  }
+  if (terms.takesSent && (speed != 0 || torque != 0))
     line.torque += line.damping * speed + terms.given.share * torque;
   if (terms.limits) holdWithin(terms.limit, terms.maxSpeed, x, w, line);
   line.regime += band;
@@ -89,7 +99,7 @@ ServoLine servoLine(const JointPlant& plant, const ServoTerms& terms, double com
 
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,
                     double limitShare, double supplyShare, double speed, double torque) {
-  return servoLine(plant, {plant, {share, volts, limitShare, supplyShare}}, command, x, w, speed, torque);
+  return servoLine(ServoTerms(plant, {share, volts, limitShare, supplyShare}), command, x, w, speed, torque);
 }
 
 double dutyThatDraws(const JointPlant& plant, double current, double speed, double volts) {

@@ -28,12 +28,15 @@ struct ServoTerms {
   ServoTerms(const JointPlant& plant, const Given& from);
 
   Given given;
-  double stiffness = 0;  ///< outside the dead band [N m/rad]
-  double damping = 0;    ///< [N m s/rad]
-  double gain = 0;       ///< duty of a DC motor per error [1/rad]
-  double push = 0;       ///< its torque at full duty [N m]
+  const JointPlant* plant = nullptr;  ///< null: a servo that is off
+  double stiffness = 0;               ///< outside the dead band [N m/rad]
+  double damping = 0;                 ///< [N m s/rad]
+  double gain = 0;                    ///< duty of a DC motor per error [1/rad]
+  double push = 0;                    ///< its torque at full duty [N m]
+  double maxDuty = 0;
+  bool takesSent = false;  ///< speed and torque beside the command
   bool limits = false;
-  double limit = 0, maxSpeed = 0;  ///< [N m], [rad/s]; maxSpeed 0: none
+  double limit = 0, maxSpeed = 0;  ///< [N m, rad/s]; maxSpeed 0: none
 };
 
 /// The encoder's reading for a true angle.
@@ -46,8 +49,8 @@ inline double measuredAngle(const JointPlant& plant, double angle) {
 /// The servo laws (position and dc_motor) of doc/reference/robot-files.md with the changes by effects.
 /// command [rad]. x: true angle on the encoder's side, w: its speed. speed, torque: sent with the command; a
 /// DC motor's law ignores them [rad/s, N m].
-ServoLine servoLine(const JointPlant& plant, const ServoTerms& terms, double command, double x, double w,
-                    double speed = 0, double torque = 0);
+ServoLine servoLine(const ServoTerms& terms, double command, double x, double w, double speed = 0,
+                    double torque = 0);
 
 /// The same for terms that are not needed again, see ServoTerms::Given.
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,

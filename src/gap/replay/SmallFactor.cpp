@@ -11,7 +11,7 @@ namespace {
 
 /// L L' x = b for as many columns as T has numbers. X: n rows, `width` apart.
 template <typename T>
-void solveColumns(const Eigen::MatrixXd& L, const Eigen::VectorXd& reciprocal, double* X, Eigen::Index width) {
+void solveColumns(const Eigen::MatrixXd& L, const double* reciprocal, double* X, Eigen::Index width) {
   const Eigen::Index n = L.cols(), stride = L.rows();
   for (Eigen::Index i = 0; i < n; ++i) {
     const double* factor = L.data() + i;
@@ -38,9 +38,10 @@ void SmallFactor::compute(const Eigen::MatrixXd& A) {
     reciprocal_.resize(n);
   }
   // Pairs of rows: beside the lower triangle they hold numbers that nobody reads.
-  for (Eigen::Index k = 0; k < n; ++k) {
-    const Eigen::Index first = k - k % 2;
-    std::copy_n(A.data() + k * n + first, n - first, L_.data() + k * stride + first);
+  if (stride == n) {
+    std::copy_n(A.data(), n * n, L_.data());
+  } else {
+    for (Eigen::Index k = 0; k < n; ++k) std::copy_n(A.data() + k * n, n, L_.data() + k * stride);
   }
   for (Eigen::Index j = 0; j < n; ++j) {
     double* const column = L_.data() + j * stride;
@@ -61,9 +62,9 @@ void SmallFactor::solveInPlace(Rows& X) const {
   const Eigen::Index width = X.cols();
   double* const data = X.data();
   Eigen::Index c = 0;
-  for (; c + 8 <= width; c += 8) solveColumns<DoubleEight>(L_, reciprocal_, data + c, width);
-  for (; c + 2 <= width; c += 2) solveColumns<DoublePair>(L_, reciprocal_, data + c, width);
-  if (c < width) solveColumns<double>(L_, reciprocal_, data + c, width);
+  for (; c + 8 <= width; c += 8) solveColumns<DoubleEight>(L_, reciprocal_.data(), data + c, width);
+  for (; c + 2 <= width; c += 2) solveColumns<DoublePair>(L_, reciprocal_.data(), data + c, width);
+  if (c < width) solveColumns<double>(L_, reciprocal_.data(), data + c, width);
 }
 
 Eigen::Index SmallFactor::fullWidth(Eigen::Index columns) {

@@ -5,8 +5,6 @@
 #include <limits>
 
 #include "gap/replay/DoublePair.h"
-#include "gap/replay/SolePlate.h"
-#include "gap/replay/TruePose.h"
 
 namespace plumbline::gap {
 
@@ -99,11 +97,15 @@ void Stepper::assemble(double h) {
   const double a = weight_ * h;
   const int rigid = tree_.size(), n = n_;
   double *const A = A_.data(), *const force = force_.data(), *const rhs = rhs_.data();
+  const double *const bias = tree_.bias().data(), *const q = q_.data(), *const v = v_.data();
   const auto at = [A, n](int row, int column) -> double& { return A[row + n * column]; };
-  if (n > rigid) A_.setZero();
-  for (int column = 0; column < rigid; ++column)
-    std::copy_n(tree_.mass().data() + column * rigid, rigid, A + column * n);
-  for (int i = 0; i < rigid; ++i) force[i] = -tree_.bias()[i];
+  if (n == rigid) {
+    std::copy_n(tree_.mass().data(), n * n, A);
+  } else {
+    A_.setZero();
+    A_.topLeftCorner(rigid, rigid) = tree_.mass();
+  }
+  for (int i = 0; i < rigid; ++i) force[i] = -bias[i];
   std::fill(force + rigid, force + n, 0.0);
   for (const ExternalForce* external : forces_) {
     const auto& link = plant_.mechanism.links[index(external->link)];
@@ -112,26 +114,26 @@ void Stepper::assemble(double h) {
   }
   for (const Drive& drive : drives_) at(drive.motor, drive.motor) += drive.armature;
   rhs_.setZero();
-  for (int column = 0; column < n; ++column) addScaled(rhs, v_[column], A + column * n, n);
+  for (int column = 0; column < n; ++column) addScaled(rhs, v[column], A + column * n, n);
   for (const Drive& drive : drives_) {
     const JointPlant& p = *drive.plant;
     const ServoLine& line = drive.line;
     double& diagonal = at(drive.motor, drive.motor);
-    force[drive.motor] += line.torque - line.stiffness * q_[drive.sensed];
+    force[drive.motor] += line.torque - line.stiffness * q[drive.sensed];
     if (drive.sensed == drive.motor) {
       diagonal += a * a * line.stiffness + a * line.damping;
     } else {
       // The servo feels the link across the gear: explicit, for a matrix that stays symmetric.
-      force[drive.motor] -= (line.stiffness * a + line.damping) * v_[drive.sensed];
+      force[drive.motor] -= (line.stiffness * a + line.damping) * v[drive.sensed];
     }
     diagonal += a * p.viscous;
     force[drive.link] += p.biasForce;
-    for (const JointTorque& torque : p.torques) force[drive.link] += torque(q_[drive.link], v_[drive.link]);
+    for (const JointTorque& torque : p.torques) force[drive.link] += torque(q[drive.link], v[drive.link]);
   }
   for (const Gear& gear : gears_) {
     if (gear.play > 0 && gear.side == 0) continue;
     const Drive& drive = drives_[index(gear.drive)];
-    const double stretch = q_[drive.motor] - q_[drive.link] - gear.side * gear.play / 2;
+    const double stretch = q[drive.motor] - q[drive.link] - gear.side * gear.play / 2;
     const double implicit = a * gear.damping + a * a * gear.stiffness;
     force[drive.motor] -= gear.stiffness * stretch;
     force[drive.link] += gear.stiffness * stretch;
@@ -150,12 +152,14 @@ void Stepper::solve(double h) {
   solved_.setZero(n_, width);
   double* const solved = solved_.data();
   for (Eigen::Index i = 0; i < rows; ++i) solved[frictions_[static_cast<std::size_t>(i)].coordinate * width + i] = h;
-  for (Eigen::Index i = 0; i < n_; ++i) solved[i * width + rows] = rhs_[i];
+  double *const u = u_.data(), *const rhs = rhs_.data(), *const fresh = predicted_.data();
+  const double* const v = v_.data();
+  for (Eigen::Index i = 0; i < n_; ++i) solved[i * width + rows] = rhs[i];
   factor_.solveInPlace(solved_);
   // Velocity in the step, and at its end.
   for (Eigen::Index i = 0; i < n_; ++i) {
-    u_[i] = solved[i * width + rows];
-    predicted_[i] = v_[i] + (u_[i] - v_[i]) / weight_;
+    u[i] = solved[i * width + rows];
+    fresh[i] = v[i] + (u[i] - v[i]) / weight_;
   }
   if (rows || contacts_) bind(h);
 }
@@ -164,9 +168,16 @@ void Stepper::solve(double h) {
 void Stepper::bind(double h) {
   const auto rows = static_cast<Eigen::Index>(frictions_.size());
   Eigen::VectorXd& fresh = predicted_;
-  columns_ = solved_.leftCols(rows);
-  for (std::size_t i = 0; i < frictions_.size() && !contacts_; ++i)
-    addScaled(fresh.data(), frictions_[i].force, columns_.data() + static_cast<Eigen::Index>(i) * n_, n_);
+  columns_.resize(n_, rows);
+  const double* solved = solved_.data();
+  for (Eigen::Index row = 0; row < n_; ++row, solved += solved_.cols())
+    for (Eigen::Index i = 0; i < rows; ++i) columns_.data()[row + i * n_] = solved[i];
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    Friction& friction = frictions_[static_cast<std::size_t>(i)];
+    const double* const column = columns_.data() + i * n_;
+    friction.mobility = column[friction.coordinate];
+    if (!contacts_) addScaled(fresh.data(), friction.force, column, n_);
+  }
   if (!contacts_) {
     sweepFrictions(fresh.data());
   } else {
@@ -190,7 +201,9 @@ void Stepper::bind(double h) {
       pushed_ = fresh - before;
     }
   }
-  for (Eigen::Index i = 0; i < n_; ++i) u_[i] = v_[i] + weight_ * (fresh[i] - v_[i]);
+  double* const u = u_.data();
+  const double *const v = v_.data(), *const end = fresh.data();
+  for (Eigen::Index i = 0; i < n_; ++i) u[i] = v[i] + weight_ * (end[i] - v[i]);
 }
 
 /// Frictions that hold what moves, each as much as it can, one after the other. Returns by how much the first
@@ -202,8 +215,9 @@ double Stepper::sweepFrictions(double* fresh) {
     double moved = 0;
     const double* column = columns_.data();
     for (Friction& friction : frictions_) {
-      const double wanted = std::clamp(friction.force - fresh[friction.coordinate] / column[friction.coordinate],
-                                       -friction.bound.forward, friction.bound.backward);
+      const double stopping = friction.force - fresh[friction.coordinate] / friction.mobility;
+      const double wanted =
+          std::min(std::max(stopping, -friction.bound.forward), friction.bound.backward);
       const double delta = wanted - friction.force;
       if (delta != 0) {
         addScaled(fresh, delta, column, n_);
@@ -221,9 +235,10 @@ double Stepper::sweepFrictions(double* fresh) {
 bool Stepper::regimesHold(double h) {
   const double a = weight_ * h;
   bool same = true;
+  const double *const q = q_.data(), *const u = u_.data();
   for (Drive& drive : drives_) {
-    const double w = u_[drive.sensed];
-    const ServoLine line = servoLine(*drive.plant, drive.terms, drive.command, q_[drive.sensed] + a * w, w,
+    const double w = u[drive.sensed];
+    const ServoLine line = servoLine(drive.terms, drive.command, q[drive.sensed] + a * w, w,
                                      drive.path.speedSent(), drive.path.torqueSent());
     if (line.regime != drive.line.regime) same = false;
     drive.line = line;
@@ -248,9 +263,10 @@ void Stepper::step(double from, double to) {
     if (const ServoTerms::Given given = givenTo(drive); given != drive.terms.given)
       drive.terms = ServoTerms(*drive.plant, given);
   }
+  const double *const q = q_.data(), *const v = v_.data();
   for (Eigen::Index i = 0; i < n_; ++i) {
-    u_[i] = v_[i];
-    qm_[i] = q_[i] + a * v_[i];
+    u_.data()[i] = v[i];
+    qm_.data()[i] = q[i] + a * v[i];
   }
   Mat3 R = T_world_base_.linear();
   Vec3 middle = T_world_base_.translation();
@@ -275,21 +291,24 @@ void Stepper::step(double from, double to) {
 }
 
 void Stepper::advance(double h) {
-  for (Eigen::Index i = 0; i < tree_.size(); ++i) acceleration_[i] = (predicted_[i] - v_[i]) / h;
+  double *const q = q_.data(), *const v = v_.data(), *const acceleration = acceleration_.data();
+  const double *const u = u_.data(), *const fresh = predicted_.data();
+  if (trial_.freeBase)
+    for (Eigen::Index i = 0; i < tree_.size(); ++i) acceleration[i] = (fresh[i] - v[i]) / h;
   double torques = 0;
   for (Drive& drive : drives_) {
-    drive.torque = drive.line.at(q_[drive.sensed] + weight_ * h * u_[drive.sensed], u_[drive.sensed]);
+    drive.torque = drive.line.at(q[drive.sensed] + weight_ * h * u[drive.sensed], u[drive.sensed]);
     drive.heat += h * std::abs(drive.torque) *
-                  (drive.plant->heatIsWork ? std::abs(u_[drive.motor]) : std::abs(drive.torque));
-    const double gear = drive.torque - drive.armature * (predicted_[drive.motor] - v_[drive.motor]) / h;
+                  (drive.plant->heatIsWork ? std::abs(u[drive.motor]) : std::abs(drive.torque));
+    const double gear = drive.torque - drive.armature * (fresh[drive.motor] - v[drive.motor]) / h;
     drive.load = {drive.torque, gear, gear};
     torques += std::abs(drive.torque);
   }
   for (const Friction& friction : frictions_) drives_[index(friction.drive)].load.link += friction.force;
   supply_.take(torques, h);
   for (Eigen::Index i = 0; i < n_; ++i) {
-    q_[i] += h * u_[i];
-    v_[i] = predicted_[i];
+    q[i] += h * u[i];
+    v[i] = fresh[i];
   }
   if (trial_.freeBase) {
     T_world_base_.translation() += h * u_.head<3>();
@@ -303,8 +322,8 @@ void Stepper::advance(double h) {
     if (T_world_base_.linear()(2, 2) < 0.5) hasFallen_ = true;
   }
   for (Drive& drive : drives_) {
-    drive.shown = measuredAngle(*drive.plant, q_[drive.sensed]);
-    drive.rate = v_[drive.sensed];
+    drive.shown = measuredAngle(*drive.plant, q[drive.sensed]);
+    drive.rate = v[drive.sensed];
   }
 }
 
@@ -324,7 +343,7 @@ double Stepper::torqueAt(int node, double shown, double rate) const {
   const JointPlant& plant = *drive.plant;
   // The encoder's error changes slowly enough to be taken at the reading.
   const double angle = 2 * shown - measuredAngle(plant, shown);
-  return servoLine(plant, {plant, givenTo(drive)}, drive.path.atEnd(), angle, rate, drive.path.speedSent(),
+  return servoLine(ServoTerms(plant, givenTo(drive)), drive.path.atEnd(), angle, rate, drive.path.speedSent(),
                    drive.path.torqueSent())
       .at(angle, rate);
 }
@@ -332,68 +351,6 @@ double Stepper::torqueAt(int node, double shown, double rate) const {
 double Stepper::duty(int node, double shown) const {
   const Drive& drive = drives_[index(node)];
   return dutyOf(*drive.plant, drive.path.atEnd(), shown);
-}
-
-void Stepper::beginBody() {
-  bodyTime_.clear();
-  gyro_.clear();
-  specificForce_.clear();
-}
-
-void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_t>& signals,
-                       std::vector<std::vector<double>>& values) {
-  tree_.update(T_world_base_.linear(), q_.data() + tree_.baseSize(), v_.data());
-  const Mechanism::Imu& imu = plant_.mechanism.imu;
-  const bool carried = imu.link == 0 || trial_.freeBase;
-  const Mat3 R_world_sensor = (carried ? tree_.rotation(imu.link) : Mat3(Mat3::Identity())) *
-                              rotationOfRpy(imu.rpy) * plant_.imu.R_true_sensor;
-  bodyTime_.push_back(t);
-  if (trial_.freeBase) {
-    gyro_.emplace_back(R_world_sensor.transpose() * tree_.angularVelocity(imu.link));
-    const Vec3 point = tree_.origin(imu.link) + tree_.rotation(imu.link) * imu.accelerometer;
-    specificForce_.emplace_back(R_world_sensor.transpose() *
-                                tree_.specificForceAt(imu.link, point, acceleration_.data()));
-  } else {
-    gyro_.emplace_back(Vec3::Zero());
-    specificForce_.emplace_back(-(R_world_sensor.transpose() * plant_.mechanism.gravity));
-  }
-  gyro_.back() += plant_.imu.gyroBias;
-  if (!trial_.freeBase) return;
-
-  const std::array<double, 7> pose = poseValues(T_world_base_);
-  std::vector<std::vector<double>> feet(plant_.mechanism.feet.size());
-  for (const std::size_t s : signals) {
-    const Signal& signal = trial_.signals[s];
-    if (signal.kind == SignalKind::truth) values[s][cycle] = pose[index(signal.axis)];
-    if (signal.kind != SignalKind::force) continue;
-    auto& shares = feet[index(signal.place)];
-    if (shares.empty()) {
-      const Contacts::FootForce total = contacts_->footForce(signal.place, tree_);
-      shares = plateForces(plant_.mechanism.feet[index(signal.place)], total.normal, total.centre);
-      for (double& share : shares) share *= plant_.footGain[index(signal.place)];
-    }
-    values[s][cycle] = shares[index(signal.axis)];
-  }
-}
-
-void Stepper::endBody(const std::vector<std::size_t>& signals,
-                      std::vector<std::vector<double>>& values) const {
-  for (const std::size_t s : signals) {
-    const Signal& signal = trial_.signals[s];
-    if (signal.kind != SignalKind::gyro && signal.kind != SignalKind::accelerometer) continue;
-    const std::vector<Vec3>& series = signal.kind == SignalKind::gyro ? gyro_ : specificForce_;
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < bodyTime_.size(); ++k) {
-      const double when = bodyTime_[k] - plant_.imu.delay;
-      while (at + 1 < bodyTime_.size() && bodyTime_[at + 1] <= when) ++at;
-      double value = series[at][signal.axis];
-      if (at + 1 < bodyTime_.size() && when > bodyTime_[at]) {
-        const double share = (when - bodyTime_[at]) / (bodyTime_[at + 1] - bodyTime_[at]);
-        value += share * (series[at + 1][signal.axis] - value);
-      }
-      values[s][k] = value;
-    }
-  }
 }
 
 }  // namespace plumbline::gap

@@ -79,6 +79,7 @@ private:
     int drive = 0, coordinate = 0;
     DryFriction bound = {};
     double force = 0;
+    double mobility = 0;  ///< what one newton metre adds to its coordinate's velocity at the step's end
   };
   static std::size_t index(int i) { return static_cast<std::size_t>(i); }
   void takeForces();

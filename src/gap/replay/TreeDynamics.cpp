@@ -1,5 +1,6 @@
 #include "gap/replay/TreeDynamics.h"
 
+#include <array>
 #include <cmath>
 #include <stdexcept>
 
@@ -17,21 +18,23 @@ TreeDynamics::TreeDynamics(const Mechanism& mechanism, std::vector<int> joints, 
     if (node.parent < 0 && joint.parent != 0) {
       throw std::invalid_argument("joint " + joint.name + " without the joints that carry it");
     }
-    node.prismatic = joint.type == Mechanism::Joint::Type::prismatic;
+    constexpr std::array about{Node::Motion::aboutX, Node::Motion::aboutY, Node::Motion::aboutZ};
+    node.motion = Node::Motion::aboutAxis;
+    for (std::size_t i = 0; i < about.size(); ++i) {
+      const double along = joint.axis[static_cast<Eigen::Index>(i)];
+      if (std::abs(along) == 1 && joint.axis.cwiseAbs().sum() == 1) node.motion = about[i], node.sense = along;
+    }
+    if (joint.type == Mechanism::Joint::Type::prismatic) node.motion = Node::Motion::alongAxis;
     node.turned = joint.rpy != Vec3::Zero();
-    node.R0 = rotationOfRpy(joint.rpy);
-    node.origin = joint.origin;
-    node.axis = joint.axis;
-    node.m = link.mass;
-    node.com = link.com;
-    node.I = link.inertia;
+    node.R0 = tripleOf(rotationOfRpy(joint.rpy));
+    node.origin = tripleOf(joint.origin);
+    node.axis = tripleOf(joint.axis);
+    node.body = {link.mass, tripleOf(link.com), tripleOf(link.inertia)};
     nodeOfLink_[static_cast<std::size_t>(joint.child)] = static_cast<int>(nodes_.size());
     nodes_.push_back(node);
   }
   const auto& torso = mechanism.links.at(0);
-  baseMass_ = torso.mass;
-  baseCom_ = torso.com;
-  baseI_ = torso.inertia;
+  baseBody_ = {torso.mass, tripleOf(torso.com), tripleOf(torso.inertia)};
   M_.setZero(size(), size());
   biasForce_.setZero(size());
 }
@@ -43,158 +46,150 @@ const TreeDynamics::Place& TreeDynamics::place(int link) const {
   return nodes_[static_cast<std::size_t>(node)].place;
 }
 
-void TreeDynamics::setInertia(Inertia& inertia, const Place& place, double m, const Vec3& com,
-                              const Mat3& I) {
-  const Vec3 c = place.p + place.R * com;
-  inertia.m = m;
-  inertia.h = m * c;
-  inertia.I.noalias() = place.R * I * place.R.transpose();
-  const Vec3 hc = inertia.h.cwiseProduct(c);
-  const double xy = inertia.h.x() * c.y(), xz = inertia.h.x() * c.z(), yz = inertia.h.y() * c.z();
-  inertia.I(0, 0) += hc.y() + hc.z();
-  inertia.I(1, 1) += hc.x() + hc.z();
-  inertia.I(2, 2) += hc.x() + hc.y();
-  inertia.I(0, 1) -= xy;
-  inertia.I(1, 0) -= xy;
-  inertia.I(0, 2) -= xz;
-  inertia.I(2, 0) -= xz;
-  inertia.I(1, 2) -= yz;
-  inertia.I(2, 1) -= yz;
+/// Where the joint's position and rate [rad, m; per s] put its link.
+void TreeDynamics::move(Node& node, const Place& parent, double q, double rate) {
+  Place& here = node.place;
+  const TripleMatrix R = node.turned ? parent.R * node.R0 : parent.R;
+  Triple p = parent.p + parent.R * node.origin, axis;
+  if (node.motion == Node::Motion::alongAxis) {
+    axis = R * node.axis;
+    p = p + q * axis;
+    here.R = R;
+    node.sw = {};
+    node.su = axis;
+  } else {
+    // As Eigen has it: the cosine on the axis is (1 - c) + c, which is not always 1.
+    const double c = std::cos(q), s = node.sense * std::sin(q), kept = (1 - c) + c;
+    switch (node.motion) {
+      case Node::Motion::aboutX:
+        axis = node.sense * R.x;
+        here.R = {kept * R.x, c * R.y + s * R.z, c * R.z - s * R.y};
+        break;
+      case Node::Motion::aboutY:
+        axis = node.sense * R.y;
+        here.R = {c * R.x - s * R.z, kept * R.y, s * R.x + c * R.z};
+        break;
+      case Node::Motion::aboutZ:
+        axis = node.sense * R.z;
+        here.R = {c * R.x + s * R.y, c * R.y - s * R.x, kept * R.z};
+        break;
+      default:
+        axis = R * node.axis;
+        here.R = R * tripleOf(Eigen::AngleAxisd(q, vectorOf(node.axis)).toRotationMatrix());
+    }
+    node.sw = axis;
+    node.su = cross(p, axis);
+  }
+  const Triple sw = node.sw, su = node.su, w = parent.w + rate * sw, u = parent.u + rate * su;
+  here.p = p;
+  here.w = w;
+  here.u = u;
+  here.aw = parent.aw + rate * cross(w, sw);
+  here.au = parent.au + rate * (cross(w, su) + cross(u, sw));
+}
+
+/// A body's inertia, and the force that its motion needs.
+void TreeDynamics::take(const Body& body, const Place& here, Inertia& inertia, Force& force) {
+  const double m = body.m;
+  const Triple c = here.p + here.R * body.com, h = m * c;
+  TripleMatrix I = here.R * body.I * transposed(here.R);
+  const double xx = h.x * c.x, yy = h.y * c.y, zz = h.z * c.z;
+  const double xy = h.x * c.y, xz = h.x * c.z, yz = h.y * c.z;
+  I = {{I.x.x + (yy + zz), I.x.y - xy, I.x.z - xz},
+       {I.y.x - xy, I.y.y + (xx + zz), I.y.z - yz},
+       {I.z.x - xz, I.z.y - yz, I.z.z + (xx + yy)}};
+  const Triple w = here.w, u = here.u;
+  const Triple pu = m * u - cross(h, w), pn = I * w + cross(h, u);  // momentum
+  force.f = m * here.au - cross(h, here.aw) + cross(w, pu);
+  force.n = I * here.aw + cross(h, here.au) + cross(w, pn) + cross(u, pu);
+  inertia = {m, h, I};
 }
 
 void TreeDynamics::update(const Mat3& R_world_base, const double* q, const double* v) {
-  base_.R = R_world_base;
+  base_.R = tripleOf(R_world_base);
+  base_.au = -1.0 * tripleOf(gravity_);
   if (offset_) {
-    base_.u = Eigen::Map<const Vec3>(v);
-    base_.w = Eigen::Map<const Vec3>(v + 3);
+    base_.u = {v[0], v[1], v[2]};
+    base_.w = {v[3], v[4], v[5]};
     // The point of the base that is at O keeps its world velocity's derivative: classical acceleration zero.
-    base_.au = -gravity_ - base_.w.cross(base_.u);
-  } else {
-    base_.au = -gravity_;
+    base_.au = base_.au - cross(base_.w, base_.u);
+    take(baseBody_, base_, baseComposite_, baseForce_);
   }
-  base_.aw.setZero();
-
-  const int n = static_cast<int>(nodes_.size());
+  const int n = static_cast<int>(nodes_.size()), size = offset_ + n;
+  Node* const nodes = nodes_.data();
   for (int i = 0; i < n; ++i) {
-    Node& node = nodes_[static_cast<std::size_t>(i)];
-    const Place& parent = node.parent < 0 ? base_ : nodes_[static_cast<std::size_t>(node.parent)].place;
-    Place& here = node.place;
-    const Mat3 R = node.turned ? Mat3(parent.R * node.R0) : parent.R;
-    const Vec3 axis = R * node.axis;
-    here.p = parent.p + parent.R * node.origin;
-    const double rate = v[offset_ + i];
-    if (node.prismatic) {
-      here.R = R;
-      here.p += axis * q[i];
-      node.sw.setZero();
-      node.su = axis;
-    } else {
-      here.R.noalias() = R * Eigen::AngleAxisd(q[i], node.axis).toRotationMatrix();
-      node.sw = axis;
-      node.su = here.p.cross(axis);
-    }
-    here.w = parent.w + node.sw * rate;
-    here.u = parent.u + node.su * rate;
-    here.aw = parent.aw + here.w.cross(node.sw) * rate;
-    here.au = parent.au + (here.w.cross(node.su) + here.u.cross(node.sw)) * rate;
-    setInertia(node.own, here, node.m, node.com, node.I);
-    node.composite = node.own;
-    const Inertia& o = node.own;
-    const Vec3 pu = o.m * here.u - o.h.cross(here.w);
-    const Vec3 pn = o.I * here.w + o.h.cross(here.u);
-    node.fu = o.m * here.au - o.h.cross(here.aw) + here.w.cross(pu);
-    node.fn = o.I * here.aw + o.h.cross(here.au) + here.w.cross(pn) + here.u.cross(pu);
+    Node& node = nodes[i];
+    move(node, node.parent < 0 ? base_ : nodes[node.parent].place, q[i], v[offset_ + i]);
+    take(node.body, node.place, node.composite, node.force);
   }
-
-  Vec3 baseForce = Vec3::Zero(), baseMoment = Vec3::Zero();
-  if (offset_) {
-    setInertia(baseOwn_, base_, baseMass_, baseCom_, baseI_);
-    baseComposite_ = baseOwn_;
-    const Inertia& o = baseOwn_;
-    const Vec3 pu = o.m * base_.u - o.h.cross(base_.w);
-    const Vec3 pn = o.I * base_.w + o.h.cross(base_.u);
-    baseForce = o.m * base_.au + base_.w.cross(pu);
-    baseMoment = o.h.cross(base_.au) + base_.w.cross(pn) + base_.u.cross(pu);
-  }
+  double *const M = M_.data(), *const bias = biasForce_.data();
+  const auto add = [](const Inertia& c, const Force& f, Inertia& inertia, Force& force) {
+    inertia = {inertia.m + c.m, inertia.h + c.h, inertia.I + c.I};
+    force = {force.f + f.f, force.n + f.n};
+  };
   for (int i = n - 1; i >= 0; --i) {
-    Node& node = nodes_[static_cast<std::size_t>(i)];
-    biasForce_[offset_ + i] = node.sw.dot(node.fn) + node.su.dot(node.fu);
+    const Node& node = nodes[i];
     const Inertia& c = node.composite;
-    const Vec3 fu = c.m * node.su - c.h.cross(node.sw);
-    const Vec3 fn = c.I * node.sw + c.h.cross(node.su);
-    M_(offset_ + i, offset_ + i) = node.sw.dot(fn) + node.su.dot(fu);
-    for (int j = node.parent; j >= 0; j = nodes_[static_cast<std::size_t>(j)].parent) {
-      const Node& other = nodes_[static_cast<std::size_t>(j)];
-      M_(offset_ + i, offset_ + j) = M_(offset_ + j, offset_ + i) = other.sw.dot(fn) + other.su.dot(fu);
-    }
+    const Triple fu = c.m * node.su - cross(c.h, node.sw), fn = c.I * node.sw + cross(c.h, node.su);
+    const int at = offset_ + i;
+    bias[at] = dot(node.sw, node.force.n) + dot(node.su, node.force.f);
+    M[at + size * at] = dot(node.sw, fn) + dot(node.su, fu);
+    for (int j = node.parent; j >= 0; j = nodes[j].parent)
+      M[at + size * (offset_ + j)] = M[offset_ + j + size * at] = dot(nodes[j].sw, fn) + dot(nodes[j].su, fu);
     if (offset_) {
-      M_.block<3, 1>(0, offset_ + i) = fu;
-      M_.block<3, 1>(3, offset_ + i) = fn;
-      M_.block<1, 3>(offset_ + i, 0) = fu.transpose();
-      M_.block<1, 3>(offset_ + i, 3) = fn.transpose();
-    }
-    Inertia* up = node.parent < 0 ? (offset_ ? &baseComposite_ : nullptr)
-                                  : &nodes_[static_cast<std::size_t>(node.parent)].composite;
-    if (up) {
-      up->m += c.m;
-      up->h += c.h;
-      up->I += c.I;
+      const double column[6] = {fu.x, fu.y, fu.z, fn.x, fn.y, fn.z};
+      for (int j = 0; j < 6; ++j) M[at + size * j] = M[j + size * at] = column[j];
     }
     if (node.parent >= 0) {
-      nodes_[static_cast<std::size_t>(node.parent)].fu += node.fu;
-      nodes_[static_cast<std::size_t>(node.parent)].fn += node.fn;
-    } else {
-      baseForce += node.fu;
-      baseMoment += node.fn;
+      add(c, node.force, nodes[node.parent].composite, nodes[node.parent].force);
+    } else if (offset_) {
+      add(c, node.force, baseComposite_, baseForce_);
     }
   }
-  if (offset_) {
-    const Inertia& c = baseComposite_;
-    const auto cross = [](const Vec3& h) {
-      Mat3 m;
-      m << 0, -h.z(), h.y(), h.z(), 0, -h.x(), -h.y(), h.x(), 0;
-      return m;
-    };
-    M_.block<3, 3>(0, 0) = Mat3::Identity() * c.m;
-    M_.block<3, 3>(0, 3) = -cross(c.h);
-    M_.block<3, 3>(3, 0) = cross(c.h);
-    M_.block<3, 3>(3, 3) = c.I;
-    biasForce_.head<3>() = baseForce;
-    biasForce_.segment<3>(3) = baseMoment;
-  }
+  if (!offset_) return;
+  const Vec3 h = vectorOf(baseComposite_.h);
+  Mat3 cross;
+  cross << 0, -h.z(), h.y(), h.z(), 0, -h.x(), -h.y(), h.x(), 0;
+  M_.block<3, 3>(0, 0) = Mat3::Identity() * baseComposite_.m;
+  M_.block<3, 3>(0, 3) = -cross;
+  M_.block<3, 3>(3, 0) = cross;
+  M_.block<3, 3>(3, 3) = matrixOf(baseComposite_.I);
+  biasForce_.head<3>() = vectorOf(baseForce_.f);
+  biasForce_.segment<3>(3) = vectorOf(baseForce_.n);
 }
 
 Vec3 TreeDynamics::velocityAt(int link, const Vec3& point) const {
   const Place& here = place(link);
-  return here.u + here.w.cross(point);
+  return vectorOf(here.u + cross(here.w, tripleOf(point)));
 }
 
 Vec3 TreeDynamics::specificForceAt(int link, const Vec3& point, const double* dv) const {
   const Place& here = place(link);
-  Vec3 aw = here.aw, au = here.au;
+  Triple aw = here.aw, au = here.au;
   if (offset_) {
-    au += Eigen::Map<const Vec3>(dv);
-    aw += Eigen::Map<const Vec3>(dv + 3);
+    au = au + Triple{dv[0], dv[1], dv[2]};
+    aw = aw + Triple{dv[3], dv[4], dv[5]};
   }
   for (int i = link == 0 ? -1 : nodeOfLink_[static_cast<std::size_t>(link)]; i >= 0;
        i = nodes_[static_cast<std::size_t>(i)].parent) {
-    aw += nodes_[static_cast<std::size_t>(i)].sw * dv[offset_ + i];
-    au += nodes_[static_cast<std::size_t>(i)].su * dv[offset_ + i];
+    aw = aw + dv[offset_ + i] * nodes_[static_cast<std::size_t>(i)].sw;
+    au = au + dv[offset_ + i] * nodes_[static_cast<std::size_t>(i)].su;
   }
   // Spatial to classical acceleration of the point.
-  return au + aw.cross(point) + here.w.cross(here.u + here.w.cross(point));
+  const Triple at = tripleOf(point);
+  return vectorOf(au + cross(aw, at) + cross(here.w, here.u + cross(here.w, at)));
 }
 
 void TreeDynamics::addForce(int link, const Vec3& point, const Vec3& force, Eigen::VectorXd& tau) const {
-  const Vec3 moment = point.cross(force);
+  const Triple f = tripleOf(force), moment = cross(tripleOf(point), f);
   for (int i = link == 0 ? -1 : nodeOfLink_.at(static_cast<std::size_t>(link)); i >= 0;
        i = nodes_[static_cast<std::size_t>(i)].parent) {
     const Node& node = nodes_[static_cast<std::size_t>(i)];
-    tau[offset_ + i] += node.sw.dot(moment) + node.su.dot(force);
+    tau[offset_ + i] += dot(node.sw, moment) + dot(node.su, f);
   }
   if (offset_) {
     tau.head<3>() += force;
-    tau.segment<3>(3) += moment;
+    tau.segment<3>(3) += vectorOf(moment);
   }
 }
 
@@ -203,7 +198,7 @@ void TreeDynamics::jacobian(int link, const Vec3& point, Eigen::Ref<Eigen::Matri
   for (int i = link == 0 ? -1 : nodeOfLink_.at(static_cast<std::size_t>(link)); i >= 0;
        i = nodes_[static_cast<std::size_t>(i)].parent) {
     const Node& node = nodes_[static_cast<std::size_t>(i)];
-    J.col(offset_ + i) = node.su + node.sw.cross(point);
+    J.col(offset_ + i) = vectorOf(node.su + cross(node.sw, tripleOf(point)));
   }
   if (offset_) {
     J.block<3, 3>(0, 0).setIdentity();

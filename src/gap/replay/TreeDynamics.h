@@ -2,6 +2,7 @@
 #include <Eigen/Core>
 #include <vector>
 
+#include "gap/replay/Triple.h"
 #include "math/Types.h"
 #include "robot/Mechanism.h"
 
@@ -32,11 +33,11 @@ public:
 
   /// Of a link (mechanism's index) among those that move, or the base: its rotation, and its origin relative
   /// to the base's origin in world axes. Links that do not move are unknown: std::out_of_range.
-  const Mat3& rotation(int link) const { return place(link).R; }
-  const Vec3& origin(int link) const { return place(link).p; }
+  Mat3 rotation(int link) const { return matrixOf(place(link).R); }
+  Vec3 origin(int link) const { return vectorOf(place(link).p); }
   /// Velocity of a link's point given relative to the base's origin, world axes [m/s].
   Vec3 velocityAt(int link, const Vec3& point) const;
-  Vec3 angularVelocity(int link) const { return place(link).w; }
+  Vec3 angularVelocity(int link) const { return vectorOf(place(link).w); }
   /// Acceleration minus gravity (specific force) of a link's point for the joints' accelerations dv.
   Vec3 specificForceAt(int link, const Vec3& point, const double* dv) const;
   /// Adds J^T f of a force at a link's point (world axes, relative to the base's origin) to tau.
@@ -46,31 +47,41 @@ public:
 
 private:
   struct Place {
-    Mat3 R = Mat3::Identity();
-    Vec3 p = Vec3::Zero();                      ///< of the link's origin
-    Vec3 w = Vec3::Zero(), u = Vec3::Zero();    ///< velocity: angular, and linear of the point at O
-    Vec3 aw = Vec3::Zero(), au = Vec3::Zero();  ///< acceleration of the bias, minus gravity
+    TripleMatrix R;
+    Triple p;       ///< of the link's origin
+    Triple w, u;    ///< velocity: angular, and linear of the point at O
+    Triple aw, au;  ///< acceleration of the bias, minus gravity
+  };
+  struct Body {  // in the link's frame
+    double m = 0;
+    Triple com;
+    TripleMatrix I;  ///< about the centre of mass
   };
   struct Inertia {  // about O, world axes
     double m = 0;
-    Vec3 h = Vec3::Zero();  ///< m times centre of mass
-    Mat3 I = Mat3::Zero();
+    Triple h;  ///< m times centre of mass
+    TripleMatrix I;
+  };
+  struct Force {  // and moment about O
+    Triple f, n;
   };
   struct Node {
+    enum class Motion { aboutX, aboutY, aboutZ, aboutAxis, alongAxis };
     int link = 0, parent = -1;  ///< parent: index into nodes, -1: the base
-    bool prismatic = false, turned = false;
-    Mat3 R0 = Mat3::Identity();
-    Vec3 origin = Vec3::Zero(), axis = Vec3::Zero();
-    Vec3 sw = Vec3::Zero(), su = Vec3::Zero();  ///< joint's motion: angular, and linear at O
+    Motion motion = Motion::aboutZ;
+    double sense = 1;  ///< -1: the axis is the negative x, y or z
+    bool turned = false;
+    TripleMatrix R0;
+    Triple origin, axis;
+    Triple sw, su;  ///< joint's motion: angular, and linear at O
     Place place;
-    Inertia own, composite;
-    Vec3 fu = Vec3::Zero(), fn = Vec3::Zero();  ///< force and moment about O
-    double m = 0;
-    Vec3 com = Vec3::Zero();
-    Mat3 I = Mat3::Zero();
+    Body body;
+    Inertia composite;
+    Force force;
   };
   const Place& place(int link) const;
-  static void setInertia(Inertia& inertia, const Place& place, double m, const Vec3& com, const Mat3& I);
+  static void move(Node& node, const Place& parent, double q, double rate);
+  static void take(const Body& body, const Place& here, Inertia& inertia, Force& force);
 
   std::vector<int> chosen_;
   int offset_ = 0;
@@ -78,10 +89,9 @@ private:
   std::vector<Node> nodes_;
   std::vector<int> nodeOfLink_;
   Place base_;
-  Inertia baseOwn_, baseComposite_;
-  double baseMass_ = 0;
-  Vec3 baseCom_;
-  Mat3 baseI_;
+  Body baseBody_;
+  Inertia baseComposite_;
+  Force baseForce_;
   Eigen::MatrixXd M_;
   Eigen::VectorXd biasForce_;
 };
