@@ -121,11 +121,16 @@ const std::vector<Playback::Shown>& Playback::play(std::size_t cycle) {
 }
 
 void Playback::read(double from, double to) {
-  const double h = to - from;
+  const double h = to - from, until = to + 1e-12;
+  if (nextRead_ > until) return;
+  nextRead_ = std::numeric_limits<double>::infinity();
   for (Reading& reading : readings_)
     while (reading.next < trial_.cycles()) {
       const double when = trial_.time[reading.next] + reading.shift;
-      if (when > to + 1e-12) break;
+      if (when > until) {
+        nextRead_ = std::min(nextRead_, when);
+        break;
+      }
       const double value = valueOf(reading, h, h > 0 ? std::max(0.0, (when - from) / h) : 1);
       due_.push_back({reading.signal, reading.next++, reading.unsignedValue ? std::abs(value) : value});
     }

@@ -1,5 +1,6 @@
 #pragma once
 #include <cstdint>
+#include <limits>
 #include <memory>
 #include <vector>
 
@@ -61,6 +62,8 @@ private:
   Stepper stepper_;
   double longest_, settleFor_, t_, lastShift_ = 0;
   std::vector<Reading> readings_;
+  /// When the next of them is due, as far as is known [s].
+  double nextRead_ = -std::numeric_limits<double>::infinity();
   std::vector<Shown> due_;
 };
 

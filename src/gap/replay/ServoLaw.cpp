@@ -10,7 +10,8 @@ namespace {
 
 constexpr double fadeShare = 0.1;  // of the speed limit, over which the torque fades to nothing
 
-/// Holds a torque within a limit that fades with the speed in the torque's direction.
+}  // namespace
+
 void holdWithin(double limit, double maxSpeed, double x, double w, ServoLine& line) {
   const double torque = line.at(x, w), sign = torque < 0 ? -1 : 1;
   const double speed = sign * w, fadeFrom = (1 - fadeShare) * maxSpeed;
@@ -28,20 +29,12 @@ void holdWithin(double limit, double maxSpeed, double x, double w, ServoLine& li
   }
 }
 
-/// What a dead band leaves of an error: nothing within it; beyond it all, or what exceeds it.
-struct Banded {
-  int regime = 0;       ///< 10 within the band
-  double takenOff = 0;  ///< of the error
-};
-
 Banded banded(const JointPlant& plant, double error) {
   if (plant.deadBand <= 0) return {};
   if (std::abs(error) <= plant.deadBand) return {10, error};
   if (plant.deadBandSteps) return {};
   return {error > 0 ? 20 : 30, std::copysign(plant.deadBand, error)};
 }
-
-}  // namespace
 
 ServoTerms::ServoTerms(const JointPlant& of, const Given& from) : given(from) {
   const auto [share, volts, limitShare, supplyShare] = from;
@@ -64,37 +57,6 @@ ServoTerms::ServoTerms(const JointPlant& of, const Given& from) : given(from) {
     damping = share * (servo.kt * servo.kt / servo.R + of.extraDamping);
     limits = of.torqueFactor < 1 || limitShare < 1;
   }
-}
-
-ServoLine servoLine(const ServoTerms& terms, double command, double x, double w, double speed,
-                    double torque) {
-  ServoLine line;
-  if (!terms.plant) return line;
-  const JointPlant& plant = *terms.plant;
-  // The encoder's error changes slowly enough to be taken at the state given.
-  double target = command + (x - measuredAngle(plant, x));
-  int band = 0;
-  if (plant.deadBand > 0) {
-    const Banded left = banded(plant, target - x);
-    band = left.regime;
-    if (band != 10) target -= left.takenOff;
-  }
-  line.damping = terms.damping;
-  if (band != 10) {
-    const double duty = terms.gain * (target - x);
-    if (std::abs(duty) > terms.maxDuty) {
-      line.torque = terms.push * std::copysign(terms.maxDuty, duty);
-      line.regime = duty > 0 ? 6 : 7;
-    } else {
-      line.stiffness = terms.stiffness;
-      line.torque = line.stiffness * target;
-    }
-  }
-  if (terms.takesSent && (speed != 0 || torque != 0))
-    line.torque += line.damping * speed + terms.given.share * torque;
-  if (terms.limits) holdWithin(terms.limit, terms.maxSpeed, x, w, line);
-  line.regime += band;
-  return line;
 }
 
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,

@@ -46,11 +46,46 @@ inline double measuredAngle(const JointPlant& plant, double angle) {
   return shown + plant.encoderAmplitude * std::sin(shown + plant.encoderPhase);
 }
 
+/// What a dead band leaves of an error: nothing within it; beyond it all, or what exceeds it.
+struct Banded {
+  int regime = 0;       ///< 10 within the band
+  double takenOff = 0;  ///< of the error
+};
+Banded banded(const JointPlant& plant, double error);
+
+/// Holds a torque within a limit [N m] that fades with the speed [rad/s] in the torque's direction.
+void holdWithin(double limit, double maxSpeed, double x, double w, ServoLine& line);
+
 /// The servo laws (position and dc_motor) of doc/reference/robot-files.md with the changes by effects.
 /// command [rad]. x: true angle on the encoder's side, w: its speed. speed, torque: sent with the command; a
 /// DC motor's law ignores them [rad/s, N m].
-ServoLine servoLine(const ServoTerms& terms, double command, double x, double w, double speed = 0,
-                    double torque = 0);
+inline ServoLine servoLine(const ServoTerms& terms, double command, double x, double w, double speed = 0,
+                           double torque = 0) {
+  ServoLine line;
+  if (!terms.plant) return line;
+  const JointPlant& plant = *terms.plant;
+  // The encoder's error changes slowly enough to be taken at the state given.
+  double target = command + (x - measuredAngle(plant, x));
+  Banded band;
+  if (plant.deadBand > 0) band = banded(plant, target - x);
+  line.damping = terms.damping;
+  if (band.regime != 10) {
+    target -= band.takenOff;
+    const double duty = terms.gain * (target - x);
+    if (std::abs(duty) > terms.maxDuty) {
+      line.torque = terms.push * std::copysign(terms.maxDuty, duty);
+      line.regime = duty > 0 ? 6 : 7;
+    } else {
+      line.stiffness = terms.stiffness;
+      line.torque = line.stiffness * target;
+    }
+  }
+  if (terms.takesSent && (speed != 0 || torque != 0))
+    line.torque += line.damping * speed + terms.given.share * torque;
+  if (terms.limits) holdWithin(terms.limit, terms.maxSpeed, x, w, line);
+  line.regime += band.regime;
+  return line;
+}
 
 /// The same for terms that are not needed again, see ServoTerms::Given.
 ServoLine servoLine(const JointPlant& plant, double command, double share, double volts, double x, double w,

@@ -16,10 +16,21 @@ public:
   /// at once, then two, then one.
   using Rows = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
   void solveInPlace(Rows& X) const;
+  /// Both, in less time; X must have columns.
+  void computeAndSolve(const Eigen::MatrixXd& A, Rows& X);
   /// Least number of columns, not below this one, that are solved as fast as any fewer.
   static Eigen::Index fullWidth(Eigen::Index columns);
 
 private:
+  void take(const Eigen::MatrixXd& A);
+  template <typename T>
+  void eliminate(double* X, Eigen::Index width);
+  template <typename T>
+  void solveForward(double* X, Eigen::Index width) const;
+  template <typename T>
+  void solveBackward(double* X, Eigen::Index width) const;
+  void solveFrom(Rows& X, Eigen::Index c) const;
+
   Eigen::MatrixXd L_;           ///< lower triangle; an even number of rows
   Eigen::VectorXd reciprocal_;  ///< of its diagonal
 };

@@ -146,16 +146,16 @@ void Stepper::assemble(double h) {
 }
 
 void Stepper::solve(double h) {
-  factor_.compute(A_);
   const auto rows = static_cast<Eigen::Index>(frictions_.size());
   const Eigen::Index width = SmallFactor::fullWidth(rows + 1);
   solved_.setZero(n_, width);
   double* const solved = solved_.data();
-  for (Eigen::Index i = 0; i < rows; ++i) solved[frictions_[static_cast<std::size_t>(i)].coordinate * width + i] = h;
+  for (Eigen::Index i = 0; i < rows; ++i)
+    solved[frictions_[static_cast<std::size_t>(i)].coordinate * width + i] = h;
   double *const u = u_.data(), *const rhs = rhs_.data(), *const fresh = predicted_.data();
   const double* const v = v_.data();
   for (Eigen::Index i = 0; i < n_; ++i) solved[i * width + rows] = rhs[i];
-  factor_.solveInPlace(solved_);
+  factor_.computeAndSolve(A_, solved_);
   // Velocity in the step, and at its end.
   for (Eigen::Index i = 0; i < n_; ++i) {
     u[i] = solved[i * width + rows];
@@ -216,8 +216,7 @@ double Stepper::sweepFrictions(double* fresh) {
     const double* column = columns_.data();
     for (Friction& friction : frictions_) {
       const double stopping = friction.force - fresh[friction.coordinate] / friction.mobility;
-      const double wanted =
-          std::min(std::max(stopping, -friction.bound.forward), friction.bound.backward);
+      const double wanted = std::min(std::max(stopping, -friction.bound.forward), friction.bound.backward);
       const double delta = wanted - friction.force;
       if (delta != 0) {
         addScaled(fresh, delta, column, n_);
@@ -238,10 +237,10 @@ bool Stepper::regimesHold(double h) {
   const double *const q = q_.data(), *const u = u_.data();
   for (Drive& drive : drives_) {
     const double w = u[drive.sensed];
-    const ServoLine line = servoLine(drive.terms, drive.command, q[drive.sensed] + a * w, w,
-                                     drive.path.speedSent(), drive.path.torqueSent());
-    if (line.regime != drive.line.regime) same = false;
-    drive.line = line;
+    const int before = drive.line.regime;
+    drive.line = servoLine(drive.terms, drive.command, q[drive.sensed] + a * w, w, drive.path.speedSent(),
+                           drive.path.torqueSent());
+    if (drive.line.regime != before) same = false;
   }
   for (Gear& gear : gears_) {
     if (gear.play <= 0) continue;

@@ -102,7 +102,7 @@ private:
   std::vector<Gear> gears_, gearsUsed_;
   std::vector<Friction> frictions_;
   std::vector<const ExternalForce*> forces_;  ///< on links that move here
-  std::shared_ptr<Contacts> contacts_;  ///< of a free base
+  std::shared_ptr<Contacts> contacts_;        ///< of a free base
   SupplyRail supply_;
   double weight_;  ///< weight of the new velocity in the motion of the step (1/2: midpoint)
 

@@ -1,4 +1,5 @@
-// What the sensors of a whole body read of a plant in motion: its IMU, the soles' force sensors, its true pose.
+// What the sensors of a whole body read of a plant in motion: its IMU, the soles' force sensors, its true
+// pose.
 #include <array>
 
 #include "gap/replay/SolePlate.h"

@@ -22,7 +22,8 @@ TreeDynamics::TreeDynamics(const Mechanism& mechanism, std::vector<int> joints, 
     node.motion = Node::Motion::aboutAxis;
     for (std::size_t i = 0; i < about.size(); ++i) {
       const double along = joint.axis[static_cast<Eigen::Index>(i)];
-      if (std::abs(along) == 1 && joint.axis.cwiseAbs().sum() == 1) node.motion = about[i], node.sense = along;
+      if (std::abs(along) == 1 && joint.axis.cwiseAbs().sum() == 1)
+        node.motion = about[i], node.sense = along;
     }
     if (joint.type == Mechanism::Joint::Type::prismatic) node.motion = Node::Motion::alongAxis;
     node.turned = joint.rpy != Vec3::Zero();

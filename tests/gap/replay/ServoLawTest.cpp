@@ -126,5 +126,19 @@ TEST(ServoLawTest, dutyIsWhatTheFirmwareMakesOfTheError) {
       << "the law of a position servo has no duty";
 }
 
+TEST(ServoLawTest, termsServeForAllStates) {
+  JointPlant plant = nominalPlant(findMechanism("xl330_pendulum")).joints[0];
+  plant.torqueFactor = 0.5;
+  const ServoTerms terms(plant, {0.8, 7, 0.9, 1});
+  for (const double x : {-2.0, 0.1, 0.25, 2.0})
+    for (const double w : {-3.0, 0.0, 3.0}) {
+      const ServoLine line = servoLine(terms, 0.2, x, w), same = servoLine(plant, 0.2, 0.8, 7, x, w, 0.9);
+      EXPECT_EQ(line.at(x, w), same.at(x, w));
+      EXPECT_EQ(line.regime, same.regime);
+    }
+  EXPECT_EQ(servoLine(ServoTerms(), 0.2, 0, 1).at(0, 1), 0);
+  EXPECT_EQ(servoLine(ServoTerms(plant, {}), 0.2, 0, 1).at(0, 1), 0);
+}
+
 }  // namespace
 }  // namespace plumbline::gap

@@ -30,6 +30,33 @@ TEST(SmallFactor, solvesAsEigenDoes) {
   }
 }
 
+TEST(SmallFactor, solvesTheSameWhileItIsComputed) {
+  for (const Eigen::Index n : {1, 5, 6, 13})
+    for (const Eigen::Index width : {1, 2, 3, 7, 8, 12}) {
+      SmallFactor::Rows B(n, width);
+      for (Eigen::Index c = 0; c < width; ++c)
+        B.col(c) = Eigen::VectorXd::LinSpaced(n, -1, static_cast<double>(c));
+      SmallFactor::Rows X = B, Y = B;
+      SmallFactor one, two;
+      one.compute(matrixOf(n));
+      one.solveInPlace(X);
+      two.computeAndSolve(matrixOf(n), Y);
+      EXPECT_EQ(X, Y) << n << " " << width;
+      two.solveInPlace(B);
+      EXPECT_EQ(X, B);
+    }
+}
+
+TEST(SmallFactor, aFullWidthIsOneOfEightOrHardlyMore) {
+  EXPECT_EQ(SmallFactor::fullWidth(1), 1);
+  EXPECT_EQ(SmallFactor::fullWidth(2), 2);
+  EXPECT_EQ(SmallFactor::fullWidth(3), 8);
+  EXPECT_EQ(SmallFactor::fullWidth(7), 8);
+  EXPECT_EQ(SmallFactor::fullWidth(8), 8);
+  EXPECT_EQ(SmallFactor::fullWidth(10), 10);
+  EXPECT_EQ(SmallFactor::fullWidth(11), 16);
+}
+
 TEST(SmallFactor, looksAtTheLowerTriangleAlone) {
   const Eigen::MatrixXd A = matrixOf(5);
   SmallFactor whole, lower;

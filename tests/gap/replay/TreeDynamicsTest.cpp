@@ -84,6 +84,26 @@ TEST(TreeDynamicsTest, jacobianIsTheDerivativeOfAPoint) {
   }
 }
 
+TEST(TreeDynamicsTest, turnsAndSlidesAlongAnyAxis) {
+  const Vec3 slanted = Vec3(1, -2, 3).normalized();
+  const double q[2] = {0.8, -1.9}, v[2] = {0, 0};
+  for (const Vec3& axis :
+       {Vec3(1, 0, 0), Vec3(0, 1, 0), Vec3(0, 0, 1), Vec3(-1, 0, 0), Vec3(0, -1, 0), Vec3(0, 0, -1), slanted})
+    for (const auto type : {Mechanism::Joint::Type::revolute, Mechanism::Joint::Type::prismatic}) {
+      Mechanism arm = twoJointArm();
+      for (std::size_t j = 0; j < 2; ++j) {
+        arm.joints[j].axis = axis;
+        arm.joints[j].type = type;
+        arm.joints[j].rpy = Vec3(0.2, 0.5, -0.4) * static_cast<double>(j);
+      }
+      TreeDynamics tree(arm, {0, 1}, false);
+      tree.update(Mat3::Identity(), q, v);
+      const Pose3 T = arm.joints[0].T_parent_child(q[0]) * arm.joints[1].T_parent_child(q[1]);
+      EXPECT_LT((tree.rotation(2) - T.linear()).norm(), 1e-14) << axis.transpose();
+      EXPECT_LT((tree.origin(2) - T.translation()).norm(), 1e-14) << axis.transpose();
+    }
+}
+
 TEST(TreeDynamicsTest, aJointNeedsWhatCarriesIt) {
   const Mechanism arm = twoJointArm();
   try {
