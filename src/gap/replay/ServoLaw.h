@@ -59,10 +59,11 @@ void holdWithin(double limit, double maxSpeed, double x, double w, ServoLine& li
 /// The servo laws (position and dc_motor) of doc/reference/robot-files.md with the changes by effects.
 /// command [rad]. x: true angle on the encoder's side, w: its speed. speed, torque: sent with the command; a
 /// DC motor's law ignores them [rad/s, N m].
-inline ServoLine servoLine(const ServoTerms& terms, double command, double x, double w, double speed = 0,
-                           double torque = 0) {
-  ServoLine line;
-  if (!terms.plant) return line;
+inline void putServoLine(const ServoTerms& terms, double command, double x, double w, double speed,
+                         double torque, ServoLine& line) {
+  line.torque = line.stiffness = line.damping = 0;
+  line.regime = 0;
+  if (!terms.plant) return;
   const JointPlant& plant = *terms.plant;
   // The encoder's error changes slowly enough to be taken at the state given.
   double target = command + (x - measuredAngle(plant, x));
@@ -77,13 +78,20 @@ inline ServoLine servoLine(const ServoTerms& terms, double command, double x, do
       line.regime = duty > 0 ? 6 : 7;
     } else {
       line.stiffness = terms.stiffness;
-      line.torque = line.stiffness * target;
+      line.torque = terms.stiffness * target;
     }
   }
   if (terms.takesSent && (speed != 0 || torque != 0))
     line.torque += line.damping * speed + terms.given.share * torque;
   if (terms.limits) holdWithin(terms.limit, terms.maxSpeed, x, w, line);
   line.regime += band.regime;
+}
+
+/// The same.
+inline ServoLine servoLine(const ServoTerms& terms, double command, double x, double w, double speed = 0,
+                           double torque = 0) {
+  ServoLine line;
+  putServoLine(terms, command, x, w, speed, torque, line);
   return line;
 }
 

@@ -157,8 +157,15 @@ void Stepper::solve(double h) {
   for (Eigen::Index i = 0; i < n_; ++i) solved[i * width + rows] = rhs[i];
   factor_.computeAndSolve(A_, solved_);
   // Velocity in the step, and at its end.
-  for (Eigen::Index i = 0; i < n_; ++i) {
-    u[i] = solved[i * width + rows];
+  const double* end = solved + rows;
+  Eigen::Index i = 0;
+  for (; i + 1 < n_; i += 2, end += 2 * width) {
+    const DoublePair mean{end[0], end[width]}, before = readDoubles<DoublePair>(v + i);
+    writeDoubles(u + i, mean);
+    writeDoubles(fresh + i, before + (mean - before) / weight_);
+  }
+  if (i < n_) {
+    u[i] = end[0];
     fresh[i] = v[i] + (u[i] - v[i]) / weight_;
   }
   if (rows || contacts_) bind(h);
@@ -169,9 +176,16 @@ void Stepper::bind(double h) {
   const auto rows = static_cast<Eigen::Index>(frictions_.size());
   Eigen::VectorXd& fresh = predicted_;
   columns_.resize(n_, rows);
-  const double* solved = solved_.data();
-  for (Eigen::Index row = 0; row < n_; ++row, solved += solved_.cols())
-    for (Eigen::Index i = 0; i < rows; ++i) columns_.data()[row + i * n_] = solved[i];
+  // Two at once, as they are read: what is written by one would have to be awaited.
+  const Eigen::Index width = solved_.cols();
+  for (Eigen::Index i = 0; i < rows; ++i) {
+    const double* solved = solved_.data() + i;
+    double* column = columns_.data() + i * n_;
+    Eigen::Index row = 0;
+    for (; row + 1 < n_; row += 2, solved += 2 * width)
+      writeDoubles(column + row, DoublePair{solved[0], solved[width]});
+    if (row < n_) column[row] = solved[0];
+  }
   for (Eigen::Index i = 0; i < rows; ++i) {
     Friction& friction = frictions_[static_cast<std::size_t>(i)];
     const double* const column = columns_.data() + i * n_;
@@ -238,8 +252,8 @@ bool Stepper::regimesHold(double h) {
   for (Drive& drive : drives_) {
     const double w = u[drive.sensed];
     const int before = drive.line.regime;
-    drive.line = servoLine(drive.terms, drive.command, q[drive.sensed] + a * w, w, drive.path.speedSent(),
-                           drive.path.torqueSent());
+    putServoLine(drive.terms, drive.command, q[drive.sensed] + a * w, w, drive.path.speedSent(),
+                 drive.path.torqueSent(), drive.line);
     if (drive.line.regime != before) same = false;
   }
   for (Gear& gear : gears_) {

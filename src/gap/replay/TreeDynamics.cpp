@@ -60,7 +60,7 @@ void TreeDynamics::move(Node& node, const Place& parent, double q, double rate) 
     node.su = axis;
   } else {
     // As Eigen has it: the cosine on the axis is (1 - c) + c, which is not always 1.
-    const double c = std::cos(q), s = node.sense * std::sin(q), kept = (1 - c) + c;
+    const double c = node.cosine, s = node.sense * node.sine, kept = (1 - c) + c;
     switch (node.motion) {
       case Node::Motion::aboutX:
         axis = node.sense * R.x;
@@ -118,11 +118,15 @@ void TreeDynamics::update(const Mat3& R_world_base, const double* q, const doubl
   }
   const int n = static_cast<int>(nodes_.size()), size = offset_ + n;
   Node* const nodes = nodes_.data();
+  // In loops of their own: the processor works on several of these at once.
   for (int i = 0; i < n; ++i) {
-    Node& node = nodes[i];
-    move(node, node.parent < 0 ? base_ : nodes[node.parent].place, q[i], v[offset_ + i]);
-    take(node.body, node.place, node.composite, node.force);
+    if (nodes[i].motion == Node::Motion::alongAxis) continue;
+    nodes[i].cosine = std::cos(q[i]);
+    nodes[i].sine = std::sin(q[i]);
   }
+  for (int i = 0; i < n; ++i)
+    move(nodes[i], nodes[i].parent < 0 ? base_ : nodes[nodes[i].parent].place, q[i], v[offset_ + i]);
+  for (int i = n - 1; i >= 0; --i) take(nodes[i].body, nodes[i].place, nodes[i].composite, nodes[i].force);
   double *const M = M_.data(), *const bias = biasForce_.data();
   const auto add = [](const Inertia& c, const Force& f, Inertia& inertia, Force& force) {
     inertia = {inertia.m + c.m, inertia.h + c.h, inertia.I + c.I};

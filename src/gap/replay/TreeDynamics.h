@@ -69,7 +69,8 @@ private:
     enum class Motion { aboutX, aboutY, aboutZ, aboutAxis, alongAxis };
     int link = 0, parent = -1;  ///< parent: index into nodes, -1: the base
     Motion motion = Motion::aboutZ;
-    double sense = 1;  ///< -1: the axis is the negative x, y or z
+    double sense = 1;             ///< -1: the axis is the negative x, y or z
+    double cosine = 1, sine = 0;  ///< of the position
     bool turned = false;
     TripleMatrix R0;
     Triple origin, axis;

@@ -9,9 +9,20 @@ namespace plumbline::gap {
 // here add in the order of Eigen's, the last row from its end.
 #define PLUMBLINE_TRIPLE [[gnu::always_inline]] inline
 
-/// A vector.
+/// A vector. It is copied number by number: copies of the whole by way of the stack would wait for its numbers
+/// to be written.
 struct Triple {
   double x = 0, y = 0, z = 0;
+
+  Triple() = default;
+  PLUMBLINE_TRIPLE Triple(double x_, double y_, double z_) : x(x_), y(y_), z(z_) {}
+  PLUMBLINE_TRIPLE Triple(const Triple& a) : x(a.x), y(a.y), z(a.z) {}
+  PLUMBLINE_TRIPLE Triple& operator=(const Triple& a) {
+    x = a.x;
+    y = a.y;
+    z = a.z;
+    return *this;
+  }
 };
 
 PLUMBLINE_TRIPLE Triple tripleOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
