@@ -46,4 +46,17 @@ inline void addScaled(double* to, double factor, const double* from, long n) {
   if (i < n) to[i] += factor * from[i];
 }
 
+/// The same for `count` columns of n rows that lie one after the other, the first of them first. factor(k): of
+/// the k-th.
+template <typename Factor>
+void addColumns(double* to, const Factor& factor, const double* columns, long count, long n) {
+  long i = 0;
+  for (; i + 1 < n; i += 2) {
+    auto sum = readDoubles<DoublePair>(to + i);
+    for (long k = 0; k < count; ++k) sum = sum + factor(k) * readDoubles<DoublePair>(columns + i + k * n);
+    writeDoubles(to + i, sum);
+  }
+  for (long k = 0; i < n && k < count; ++k) to[i] += factor(k) * columns[i + k * n];
+}
+
 }  // namespace plumbline::gap

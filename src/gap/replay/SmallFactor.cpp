@@ -16,11 +16,11 @@ void SmallFactor::eliminate(double* X, Eigen::Index width) {
   const Eigen::Index n = L_.cols(), stride = L_.rows();
   for (Eigen::Index j = 0; j < n; ++j) {
     double* const column = L_.data() + j * stride;
-    const double root = std::sqrt(column[j]), over = 1 / root;
-    column[j] = root;
+    const double over = 1 / std::sqrt(column[j]);
     reciprocal_.data()[j] = over;
-    for (Eigen::Index i = j + 1; i < n; ++i) column[i] *= over;
-    // Pairs of rows: above the diagonal they leave numbers that nobody reads.
+    // Pairs of rows: on the diagonal and above it they leave numbers that nobody reads.
+    for (Eigen::Index i = j + 1 - (j + 1) % 2; i < stride; i += 2)
+      writeDoubles(column + i, times(readDoubles<DoublePair>(column + i), over));
     for (Eigen::Index k = j + 1; k < n; ++k) {
       double* const other = L_.data() + k * stride;
       const double factor = column[k];

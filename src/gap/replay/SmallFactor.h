@@ -31,7 +31,7 @@ private:
   void solveBackward(double* X, Eigen::Index width) const;
   void solveFrom(Rows& X, Eigen::Index c) const;
 
-  Eigen::MatrixXd L_;           ///< lower triangle; an even number of rows
+  Eigen::MatrixXd L_;           ///< below its diagonal; an even number of rows
   Eigen::VectorXd reciprocal_;  ///< of its diagonal
 };
 

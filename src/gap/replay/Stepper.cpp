@@ -114,7 +114,7 @@ void Stepper::assemble(double h) {
   }
   for (const Drive& drive : drives_) at(drive.motor, drive.motor) += drive.armature;
   rhs_.setZero();
-  for (int column = 0; column < n; ++column) addScaled(rhs, v[column], A + column * n, n);
+  addColumns(rhs, [v](long k) { return v[k]; }, A, n, n);
   for (const Drive& drive : drives_) {
     const JointPlant& p = *drive.plant;
     const ServoLine& line = drive.line;
@@ -188,11 +188,12 @@ void Stepper::bind(double h) {
   }
   for (Eigen::Index i = 0; i < rows; ++i) {
     Friction& friction = frictions_[static_cast<std::size_t>(i)];
-    const double* const column = columns_.data() + i * n_;
-    friction.mobility = column[friction.coordinate];
-    if (!contacts_) addScaled(fresh.data(), friction.force, column, n_);
+    friction.mobility = columns_.data()[friction.coordinate + i * n_];
   }
   if (!contacts_) {
+    addColumns(
+        fresh.data(), [this](long i) { return frictions_[static_cast<std::size_t>(i)].force; },
+        columns_.data(), rows, n_);
     sweepFrictions(fresh.data());
   } else {
     unbound_ = fresh;

@@ -121,8 +121,9 @@ void TreeDynamics::update(const Mat3& R_world_base, const double* q, const doubl
   // In loops of their own: the processor works on several of these at once.
   for (int i = 0; i < n; ++i) {
     if (nodes[i].motion == Node::Motion::alongAxis) continue;
-    nodes[i].cosine = std::cos(q[i]);
-    nodes[i].sine = std::sin(q[i]);
+    const double angle = q[i];
+    nodes[i].cosine = std::cos(angle);
+    nodes[i].sine = std::sin(angle);
   }
   for (int i = 0; i < n; ++i)
     move(nodes[i], nodes[i].parent < 0 ? base_ : nodes[nodes[i].parent].place, q[i], v[offset_ + i]);

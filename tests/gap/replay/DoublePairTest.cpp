@@ -34,5 +34,19 @@ TEST(DoublePairTest, addsToAsManyAsAreAskedFor) {
   }
 }
 
+TEST(DoublePairTest, addsColumnsOneAfterTheOther) {
+  for (const long n : {1, 2, 3, 6}) {
+    std::array<double, 12> columns{};
+    for (std::size_t i = 0; i < columns.size(); ++i) columns[i] = 0.1 * static_cast<double>(i + 1);
+    std::array<double, 6> to{}, expected{};
+    to.fill(0.7);
+    expected.fill(0.7);
+    const auto factor = [](long k) { return k == 0 ? 0.3 : -1.1; };
+    addColumns(to.data(), factor, columns.data(), 2, n);
+    for (long k = 0; k < 2; ++k) addScaled(expected.data(), factor(k), columns.data() + k * n, n);
+    EXPECT_EQ(to, expected) << n;
+  }
+}
+
 }  // namespace
 }  // namespace plumbline::gap
