@@ -46,8 +46,8 @@ inline void addScaled(double* to, double factor, const double* from, long n) {
   if (i < n) to[i] += factor * from[i];
 }
 
-/// The same for `count` columns of n rows that lie one after the other, the first of them first. factor(k): of
-/// the k-th.
+/// The same for `count` columns of n rows that lie one after the other, the first of them first. factor(k):
+/// of the k-th.
 template <typename Factor>
 void addColumns(double* to, const Factor& factor, const double* columns, long count, long n) {
   long i = 0;

@@ -58,7 +58,8 @@ void holdWithin(double limit, double maxSpeed, double x, double w, ServoLine& li
 
 /// The servo laws (position and dc_motor) of doc/reference/robot-files.md with the changes by effects.
 /// command [rad]. x: true angle on the encoder's side, w: its speed. speed, torque: sent with the command; a
-/// DC motor's law ignores them [rad/s, N m].
+/// DC motor's law ignores them [rad/s, N m]. line: becomes the answer. It is written where it stays, because
+/// a copy would wait for it.
 inline void putServoLine(const ServoTerms& terms, double command, double x, double w, double speed,
                          double torque, ServoLine& line) {
   line.torque = line.stiffness = line.damping = 0;
@@ -87,7 +88,7 @@ inline void putServoLine(const ServoTerms& terms, double command, double x, doub
   line.regime += band.regime;
 }
 
-/// The same.
+/// The same as an answer.
 inline ServoLine servoLine(const ServoTerms& terms, double command, double x, double w, double speed = 0,
                            double torque = 0) {
   ServoLine line;

@@ -114,7 +114,8 @@ void Stepper::assemble(double h) {
   }
   for (const Drive& drive : drives_) at(drive.motor, drive.motor) += drive.armature;
   rhs_.setZero();
-  addColumns(rhs, [v](long k) { return v[k]; }, A, n, n);
+  addColumns(
+      rhs, [v](long k) { return v[k]; }, A, n, n);
   for (const Drive& drive : drives_) {
     const JointPlant& p = *drive.plant;
     const ServoLine& line = drive.line;

@@ -4,13 +4,13 @@
 namespace plumbline::gap {
 
 // Vectors and matrices of three for innermost loops. Eigen's mean the same, but in a long function its
-// products become calls. These are always inlined. Replays are so sensitive (what sticks, what slips, which
-// step a fit takes) that the last bit of a product decides between answers that are equally good: products
-// here add in the order of Eigen's, the last row from its end.
+// products become calls. These are always inlined. Their products add in the order of Eigen's, the last row
+// from its end. For the last bit of a product can decide what sticks or slips in a replay, and by it which of
+// two answers that are equally good is found.
 #define PLUMBLINE_TRIPLE [[gnu::always_inline]] inline
 
-/// A vector. It is copied number by number: copies of the whole by way of the stack would wait for its numbers
-/// to be written.
+/// A vector. It is copied number by number: copies of the whole by way of the stack would wait for its
+/// numbers to be written.
 struct Triple {
   double x = 0, y = 0, z = 0;
 
