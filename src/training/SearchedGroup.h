@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <functional>
 #include <span>
 #include <string>
 #include <vector>
@@ -21,16 +22,20 @@ struct SearchedPath {
 };
 
 /// A parameter group of which a task searches some numbers, begun with a map of a configuration file. A run
-/// has what the file would have: numbers of four digits.
+/// has what the file would have: numbers of four digits. `among`: only those for which it holds are searched;
+/// the others keep their values, and are written with them.
 template <typename Group>
 class SearchedGroup {
 public:
-  SearchedGroup(const ConfigSection& section, std::span<const SearchedPath> numbers) {
+  SearchedGroup(const ConfigSection& section, std::span<const SearchedPath> numbers,
+                const std::function<bool(const std::string& path)>& among = {}) {
     readParameters(section, Group::parameterList(), &first_);
     Group::parameterList().visit(
         &first_, [&](const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
           const auto one = std::ranges::find(numbers, path, &SearchedPath::path);
           if (one == numbers.end()) return;
+          written_.push_back(path);
+          if (among && !among(path)) return;
           paths_.push_back(path);
           parameters_.push_back({nameOf(path), *std::get<double*>(value), parameter.range.min,
                                  parameter.range.max, one->sigma});
@@ -53,8 +58,11 @@ public:
   /// The values as lines within a map of a YAML file.
   GroupedLines lines(const Eigen::VectorXd& values) const {
     GroupedLines lines("  ", digits);
-    for (std::size_t i = 0; i < paths_.size(); ++i)
-      lines.add(paths_[i], values[static_cast<Eigen::Index>(i)]);
+    Group group = with(values);
+    Group::parameterList().visit(
+        &group, [&](const std::string& path, const Parameter&, const ParameterPointer& value) {
+          if (std::ranges::find(written_, path) != written_.end()) lines.add(path, *std::get<double*>(value));
+        });
     return lines;
   }
 
@@ -68,7 +76,8 @@ private:
   }
 
   Group first_;
-  std::vector<std::string> paths_;
+  std::vector<std::string> written_;  ///< to the file
+  std::vector<std::string> paths_;    ///< searched
   std::vector<TaskParameter> parameters_;
 };
 

@@ -23,5 +23,18 @@ TEST(SearchedGroup, namesNumbersWithoutDotsAndWritesThemByGroups) {
   EXPECT_EQ(lines.count, 2U);
 }
 
+TEST(SearchedGroup, whatIsNotAmongTheSearchedKeepsItsValueAndIsWritten) {
+  static constexpr SearchedPath numbers[] = {{"keeps", 0.2}, {"walk.maxTurn", 0.3}};
+  const ConfigFile file("SkillGetBall", {"config"});
+  const SearchedGroup<BallPositioningParameters> searched(
+      file.root().section("positioning"), numbers, [](const std::string& path) { return path == "keeps"; });
+  ASSERT_EQ(searched.parameters().size(), 1U);
+  EXPECT_EQ(searched.parameters()[0].name, "keeps");
+  const Eigen::VectorXd keeps = Eigen::VectorXd::Constant(1, 1.5);
+  const double turn = searched.with(keeps).walk.maxTurn;
+  EXPECT_EQ(searched.lines(keeps).text, fmt::format("  walk:\n    maxTurn: {:.4g}\n  keeps: 1.5\n", turn));
+  EXPECT_EQ(searched.lines(keeps).count, 2U);
+}
+
 }  // namespace
 }  // namespace plumbline::training

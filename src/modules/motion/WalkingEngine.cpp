@@ -104,6 +104,7 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
   theWalkingEngineOutput->fadeSeconds = fadeSeconds;
   theWalkingEngineOutput->velocity = output.velocity;
   theWalkingEngineOutput->turn = output.turn;
+  theWalkingEngineOutput->limits = WalkLimits::of(walk.base.speed);
 }
 
 }  // namespace plumbline

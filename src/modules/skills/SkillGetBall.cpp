@@ -61,6 +61,11 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
                              .heading = normalizeAngle(heading - theRobotPose->pose.heading),
                              .place = place,
                              .hurry = output.pressed ? pressedTolerance : 1};
+  if (theWalkingEngineOutput) {
+    const WalkingEngineOutput& walk = *theWalkingEngineOutput;
+    wish.speed = Vec3(walk.velocity.x(), walk.velocity.y(), walk.turn);
+    wish.limits = walk.limits;
+  }
   if (theSkillRequest->tolerance > 0) wish.headingTolerance = theSkillRequest->tolerance;
   if (wanted == BallApproach::dribble && ball.norm() > runUp) wish.beyond = dribbleOn;
   const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour && ball.norm() > detourDistance;

@@ -5,6 +5,7 @@
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
+#include "representations/motion/WalkingEngineOutput.h"
 #include "representations/skills/ActiveFoot.h"
 #include "representations/skills/SafeWalkDirection.h"
 #include "representations/skills/SkillGetBallOutput.h"
@@ -17,6 +18,7 @@ MODULE(SkillGetBall)
   REQUIRES(FrameInfo)
   REQUIRES(SkillRequest)
   USES_ALL(SkillOutput)
+  USES(WalkingEngineOutput)
   REQUIRES(RobotPose)
   REQUIRES(BallPos)
   REQUIRES(SkillKickParameters)

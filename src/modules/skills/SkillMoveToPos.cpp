@@ -11,6 +11,7 @@ void SkillMoveToPos::update(SkillMoveToPosOutput* theSkillMoveToPosOutput) {
   output.clear();
   if (theSkillRequest->skill != Skill::moveToPos) {
     arrived_ = sprinting_ = false;
+    planner_.leave();
     return;
   }
   const Pose2 target = theRobotPose->pose.inverse() * theSkillRequest->target;
@@ -22,8 +23,18 @@ void SkillMoveToPos::update(SkillMoveToPosOutput* theSkillMoveToPosOutput) {
   if (arrived_) return;
   if (theSafeWalkDirection && theSafeWalkDirection->wait) return;
   const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour;
-  const WalkCommand command = detour ? walkPast(theSafeWalkDirection->wayPoint, walk, sprinting_)
-                                     : walkToPose(target, walk, sprinting_);
+  WalkPoint robot{target.inverse()};
+  WalkLimits limits;
+  if (theWalkingEngineOutput) {
+    const WalkingEngineOutput& now = *theWalkingEngineOutput;
+    robot.speed = Vec3(now.velocity.x(), now.velocity.y(), now.turn);
+    limits = now.limits;
+  }
+  const bool plans = !detour && ApproachPlanner::plansFrom(target.position.norm(), sprinting_, limits, plan);
+  if (!plans) planner_.leave();
+  const WalkCommand command = plans    ? planner_.update(robot, limits, plan)
+                              : detour ? walkPast(theSafeWalkDirection->wayPoint, walk, sprinting_)
+                                       : walkToPose(target, walk, sprinting_);
   sprinting_ = command.sprint;
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;

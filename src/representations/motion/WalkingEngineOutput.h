@@ -1,6 +1,7 @@
 #pragma once
 #include "math/Pose2.h"
 #include "representations/motion/MotionOutput.h"
+#include "robot/WalkLimits.h"
 
 namespace plumbline {
 
@@ -13,12 +14,21 @@ public:
   Pose2 odometry;                ///< motion of the robot's ground frame in this cycle, as planned
   Vec2 velocity = Vec2::Zero();  ///< walked now [m/s]
   double turn = 0;               ///< [rad/s]
+  WalkLimits limits;             ///< of what may be asked for
   void stream(InStream* in, OutStream* out) override {
     MotionOutput::stream(in, out);
     STREAM("odometryPosition", odometry.position);
     STREAM("odometryHeading", odometry.heading);
     STREAM(velocity);
     STREAM(turn);
+    STREAM("limitForward", limits.forward);
+    STREAM("limitBackward", limits.backward);
+    STREAM("limitSideways", limits.sideways);
+    STREAM("limitTurn", limits.turn);
+    STREAM("accelerationForward", limits.accelerationForward);
+    STREAM("decelerationForward", limits.decelerationForward);
+    STREAM("accelerationSideways", limits.accelerationSideways);
+    STREAM("accelerationTurn", limits.accelerationTurn);
   }
 };
 

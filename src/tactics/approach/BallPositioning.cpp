@@ -20,17 +20,27 @@ bool BallPositioning::exact(const Wish& wish, const Vec2& error, const BallPosit
          std::abs(error.y()) < stays * wish.hurry * p.toleranceSideways && std::abs(wish.heading) < most;
 }
 
+WalkCommand BallPositioning::planned(const Wish& wish, const BallPositioningParameters& p) {
+  const Pose2 place(Vec2(wish.ball - Eigen::Rotation2Dd(wish.heading) * wish.place), wish.heading);
+  return planner_.update({place.inverse(), wish.speed}, wish.place, wish.beyond, wish.limits, p.plan);
+}
+
 WalkCommand BallPositioning::update(const Wish& wish, const Vec2& ball, const BallPositioningParameters& p,
                                     double dt) {
   Pose2 way = approachBall(wish.ball, wish.heading, wish.place, p.approach);
   const bool lastPart = std::abs(way.heading - wish.heading) < 1e-9;
   if (lastPart) way.position += wish.beyond * Vec2(std::cos(wish.heading), std::sin(wish.heading));
-  WalkCommand command =
-      wish.detour ? walkPast(*wish.detour, p.walk, sprinting_) : walkToPose(way, p.walk, sprinting_);
+  const bool plans =
+      !wish.detour && ApproachPlanner::plansFrom(wish.ball.norm(), sprinting_, wish.limits, p.plan);
+  WalkCommand command = plans         ? planned(wish, p)
+                        : wish.detour ? walkPast(*wish.detour, p.walk, sprinting_)
+                                      : walkToPose(way, p.walk, sprinting_);
+  if (!plans) planner_.leave();
   sprinting_ = command.sprint;
   // A walk that drifts would come to rest short of the ball for ever (Seekircher 2015, 4.3).
   if (!atBall_) learnBias(way, p, dt);
-  command.velocity = limitVelocity(command.velocity + bias_, p.walk);
+  command.velocity += bias_;
+  if (!plans) command.velocity = limitVelocity(command.velocity, p.walk);
   atBall_ = exact(wish, ball - wish.place, p);
   return command;
 }

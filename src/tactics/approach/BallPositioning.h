@@ -1,6 +1,7 @@
 #pragma once
 #include <optional>
 
+#include "tactics/approach/ApproachPlanner.h"
 #include "tactics/approach/BallApproach.h"
 #include "tactics/approach/WalkToPose.h"
 
@@ -11,6 +12,8 @@ struct BallPositioningParameters {
   PARAMETERS(BallPositioningParameters)
   PARAMETER_GROUP(WalkToPoseParameters, walk, "limits and gains of walking to a pose")
   PARAMETER_GROUP(BallApproachParameters, approach, "way around the ball")
+  PARAMETER_GROUP(ApproachPlannerParameters, plan,
+                  "the last metres to the ball, where the walk's limits are known")
   PARAMETER(double, toleranceForward, 0.02, "m", Range(0.001, 1), "of the ball's place ahead of the robot")
   PARAMETER(double, toleranceSideways, 0.02, "m", Range(0.001, 1), "of the ball's place to the side")
   PARAMETER(double, toleranceHeading, 0.15, "rad", Range(0.001, 3.2),
@@ -32,6 +35,8 @@ public:
     double heading = 0;         ///< of the robot when it plays the ball, relative to its present one
     Vec2 place = Vec2::Zero();  ///< where the ball has to lie then, in the frame that the robot has then
     double beyond = 0;  ///< a robot behind the ball, on its line, aims this far beyond the place, to dribble
+    Vec3 speed = Vec3::Zero();                 ///< walked now: forward, sideways, turn [m/s, rad/s]
+    WalkLimits limits{};                       ///< of the walk; not known: nothing is planned
     std::optional<Vec2> detour{};              ///< a way point that comes first
     double hurry = 1;                          ///< tolerances are multiplied by this
     std::optional<double> headingTolerance{};  ///< instead of the parameter's
@@ -43,12 +48,18 @@ public:
   /// alternates between stopping and walking never comes to rest.
   bool atBall() const { return atBall_; }
   /// No ball is wanted in this cycle. What was learned of the walk's drift stays.
-  void leave() { atBall_ = sprinting_ = false; }
+  void leave() {
+    atBall_ = sprinting_ = false;
+    planner_.leave();
+  }
+  const ApproachPlanner& planner() const { return planner_; }
 
 private:
+  WalkCommand planned(const Wish& wish, const BallPositioningParameters& p);
   bool exact(const Wish& wish, const Vec2& error, const BallPositioningParameters& p) const;
   void learnBias(const Pose2& T_robot_target, const BallPositioningParameters& p, double dt);
 
+  ApproachPlanner planner_;
   Vec2 bias_ = Vec2::Zero();  ///< the walk's, near the target, as a correction of the speed [m/s]
   bool atBall_ = false, sprinting_ = false;
 };

@@ -37,6 +37,9 @@ MoveToPosTask::MoveToPosTask(const TaskOptions& options)
       searched_(ConfigFile("SkillMoveToPos", MotionTrial::directories(0)).root().section("walk"),
                 walkNumbers) {
   options.check({"type", "nearest", "farthest", "fall"});
+  const ConfigFile file("SkillMoveToPos", MotionTrial::directories(0));
+  if (file.root().has("plan"))
+    readParameters(file.root().section("plan"), ApproachPlannerParameters::parameterList(), &plan_);
   const std::string type = options.word("type", "all", {"all", "0", "1", "2", "3", "4"});
   for (int i = 0; i < types; ++i)
     if (type == "all" || type == std::to_string(i)) robots_.push_back(std::make_unique<MotionTrial>(i));
@@ -54,12 +57,21 @@ TaskOutcome MoveToPosTask::run(const Eigen::VectorXd& parameters, std::uint64_t 
   const WalkToPoseParameters p = searched_.with(parameters);
   double seconds = 0;
   bool fell = false, sprinting = false;
+  ApproachPlanner planner;
+  Vec3 speed = Vec3::Zero();
   for (int there = 0; there <= cyclesThere && !fell && seconds < longestWay; seconds += MotionTrial::dt) {
     const Pose2 target = groundPose(trial.robot.torso().pose).inverse();
     const bool arrived = target.position.norm() < near && std::abs(target.heading) < turned;
-    const WalkCommand command = arrived ? WalkCommand() : walkToPose(target, p, sprinting);
+    const WalkLimits limits = WalkLimits::of(trial.gaits.base.speed);
+    const bool plans = ApproachPlanner::plansFrom(target.position.norm(), sprinting, limits, plan_);
+    if (!plans) planner.leave();
+    const WalkCommand command = arrived ? WalkCommand()
+                                : plans ? planner.update({target.inverse(), speed}, limits, plan_)
+                                        : walkToPose(target, p, sprinting);
     sprinting = command.sprint;
-    trial.walkStep(command.velocity, command.turn, !arrived);
+    const walking::WalkOutput output = trial.walkOutput(command.velocity, command.turn, !arrived);
+    trial.step(output.angles);
+    speed = Vec3(output.velocity.x(), output.velocity.y(), output.turn);
     fell = trial.lying();
     there = arrived ? there + 1 : 0;
   }

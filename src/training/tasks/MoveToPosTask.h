@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "tactics/approach/ApproachPlanner.h"
 #include "tactics/approach/WalkToPose.h"
 #include "training/MotionTrial.h"
 #include "training/SearchTask.h"
@@ -12,7 +13,7 @@ namespace plumbline::training {
 
 /// Walking to a place without the ball: the robot stands anywhere up to `farthest` from it, with any heading,
 /// walks there and stops. Distances are drawn evenly in their logarithm. Searched are numbers of
-/// WalkToPoseParameters; the file is SkillMoveToPos.yaml.
+/// WalkToPoseParameters; the file is SkillMoveToPos.yaml. The last metres are planned as its `plan` says.
 ///
 /// The cost of a run is the time until the robot has been there for 0.3 s, within 8 cm and 0.2 rad, and
 /// `fall` seconds for a fall. Options: type (all: types 0 to 4 by turns, or one of them), nearest (0.4),
@@ -29,6 +30,7 @@ public:
 private:
   double nearest_, farthest_, fall_;  ///< options [m, m, s]
   SearchedGroup<WalkToPoseParameters> searched_;
+  ApproachPlannerParameters plan_;
   std::vector<std::unique_ptr<motion::MotionTrial>> robots_;  ///< one of each type
 };
 

@@ -49,6 +49,18 @@ constexpr SearchedPath searchedNumbers[] = {{"walk.maxForward", 0.1},
                                             {"approach.avoidRadius", 0.04},
                                             {"approach.stepAngle", 0.2},
                                             {"approach.behindAngle", 0.15},
+                                            {"plan.path.avoidRadius", 0.03},
+                                            {"plan.path.stepAngle", 0.1},
+                                            {"plan.path.behindAngle", 0.1},
+                                            {"plan.delay", 0.03},
+                                            {"plan.request", 0.1},
+                                            {"plan.brakeShare", 0.1},
+                                            {"plan.brakeTime", 0.06},
+                                            {"plan.headingTime", 0.05},
+                                            {"plan.turnShare", 0.05},
+                                            {"plan.finalTurn", 0.15},
+                                            {"plan.switchGain", 0.03},
+                                            {"plan.ballCost", 1},
                                             {"toleranceForward", 0.005},
                                             {"toleranceSideways", 0.005},
                                             {"toleranceHeading", 0.03},
@@ -57,10 +69,20 @@ constexpr SearchedPath searchedNumbers[] = {{"walk.maxForward", 0.1},
                                             {"biasDistance", 0.03},
                                             {"maxBias", 0.03}};
 
+/// The option `searched`: the way from afar, the last metres with how exactly the robot stands, or
+/// everything.
+std::function<bool(const std::string&)> searchedPart(const TaskOptions& options) {
+  const std::string part = options.word("searched", "all", {"all", "far", "near"});
+  if (part == "all") return {};
+  return [far = part == "far"](const std::string& path) {
+    return far == (path.starts_with("walk.") || path.starts_with("approach."));
+  };
+}
+
 }  // namespace
 
 PositioningTask::PositioningTask(const TaskOptions& options)
-    : type_(robotTypeOf(options, {"motion", "start", "farthest", "metre", "fall"})),
+    : type_(robotTypeOf(options, {"motion", "start", "farthest", "metre", "fall", "searched"})),
       worlds_(options, type_),
       ball_(worlds_.engine()),
       start_(options.number("start", 1.5, 0.3, 10)),
@@ -68,7 +90,7 @@ PositioningTask::PositioningTask(const TaskOptions& options)
       metre_(options.number("metre", 0.5, 0, 10)),
       fall_(options.number("fall", 5, 0, 100)),
       searched_(ConfigFile("SkillGetBall", MotionTrial::directories(type_)).root().section("positioning"),
-                searchedNumbers) {
+                searchedNumbers, searchedPart(options)) {
   const MotionTrial& trial = worlds_.first();
   const std::string name = options.word("motion", "");
   for (const motion::KeyframeMotion& motion : trial.motions) {
@@ -86,6 +108,7 @@ struct PositioningTask::Walk {
   const BallPositioningParameters& p;
   Vec2 offset;  ///< of the ball that is seen, robot's frame [m]
   BallPositioning positioning{};
+  Vec3 speed = Vec3::Zero();  ///< of the walk [m/s, rad/s]
   bool right = true;
   double seconds = 0;  ///< until the ball is kicked [s]
   bool fell = false;
@@ -108,16 +131,20 @@ struct PositioningTask::Walk {
     const BallPositioning::Wish wish{
         .ball = seen(),
         .heading = normalizeAngle(-mirror * kick.kick->direction - robot().heading),
-        .place = Vec2(kick.ball.x(), mirror * kick.ball.y())};
+        .place = Vec2(kick.ball.x(), mirror * kick.ball.y()),
+        .speed = speed,
+        .limits = WalkLimits::of(trial.gaits.base.speed)};
     const bool was = positioning.atBall();
     const WalkCommand command = positioning.update(wish, wish.ball, p, MotionTrial::dt);
     const bool is = positioning.atBall();
-    const bool stands = trial.walkStep(command.velocity, command.turn, !is);
+    const walking::WalkOutput output = trial.walkOutput(command.velocity, command.turn, !is);
+    trial.step(output.angles);
+    speed = Vec3(output.velocity.x(), output.velocity.y(), output.turn);
     if (is && there < 0) there = seconds;
     if (was && !is) ++lost;
     seconds += MotionTrial::dt;
     fell = fell || trial.lying();
-    return is && stands;
+    return is && output.standing;
   }
   void play() {
     const motion::KeyframeMotion motion =
@@ -181,12 +208,11 @@ std::string PositioningTask::file(const Eigen::VectorXd& parameters, const std::
          lines.text;
 }
 
-MAKE_TASK(positioning,
-          {"positioning",
-           "the way to the ball and the kick: type, motion, start, farthest, metre, fall, engine, "
-           "effects, draws, firstDraw",
-           [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-             return std::make_unique<PositioningTask>(options);
-           }});
+MAKE_TASK(positioning, {"positioning",
+                        "the way to the ball and the kick: type, motion, start, farthest, metre, fall, "
+                        "searched, engine, effects, draws, firstDraw",
+                        [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+                          return std::make_unique<PositioningTask>(options);
+                        }});
 
 }  // namespace plumbline::training

@@ -20,7 +20,8 @@ namespace plumbline::training {
 /// `fall` seconds for a fall. To that come `metre` seconds for each metre that the ball comes less far along
 /// the wanted direction than the kick carries, or goes aside. Figures: time to the kick [s], distance along
 /// and aside [m], kicked, fell. Options: type (0), motion (the farthest kick), distance of the start (1.5)
-/// [m], farthest (as start; starts are drawn up to it) [m], metre (0.5), fall (5), and those of TrialWorlds.
+/// [m], farthest (as start; starts are drawn up to it) [m], metre (0.5), fall (5), searched (all; far: the
+/// way from afar; near: the last metres and how exactly it stands), and those of TrialWorlds.
 class PositioningTask : public SearchTask {
 public:
   explicit PositioningTask(const TaskOptions& options);

@@ -52,6 +52,8 @@ TEST(WalkingEngineTest, walksWhileSelectedAndStopsForOthers) {
   EXPECT_TRUE(output.finished);
   EXPECT_GT(output.targets.angles[lKneePitch], 0.3);
   EXPECT_FALSE(output.targets.set[headYaw]);
+  EXPECT_EQ(output.limits, WalkLimits::of(engine->walk.base.speed));
+  EXPECT_GT(output.limits.forward, 0.2);
 
   ModuleUnderTest<Stand> stand("StandMotion");
   StandOutput standOutput;

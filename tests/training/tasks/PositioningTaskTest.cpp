@@ -86,6 +86,20 @@ TEST(PositioningTask, theFileHasWhatWasSearchedAndIsReadAsAnOverlay) {
   EXPECT_EQ(task.run(parameters, 3).cost, task.run(rounded, 3).cost);
 }
 
+TEST(PositioningTask, aPartOfTheNumbersIsSearchedAndAllAreWritten) {
+  const auto searching = [](const char* part) {
+    return PositioningTask(
+        TaskOptions(std::map<std::string, std::string>{{"type", "4"}, {"searched", part}}));
+  };
+  PositioningTask all(type("4")), near = searching("near"), far = searching("far");
+  EXPECT_EQ(near.parameters().size() + far.parameters().size(), all.parameters().size());
+  EXPECT_EQ(near.parameters()[0].name.substr(0, 5), "plan_");
+  EXPECT_EQ(far.parameters()[0].name.substr(0, 5), "walk_");
+  const auto body = [](const PositioningTask& task) { return task.file(startOf(task), "Found.", {}); };
+  EXPECT_EQ(body(near), body(all));
+  EXPECT_EQ(near.run(startOf(near), 5).cost, all.run(startOf(all), 5).cost);
+}
+
 TEST(PositioningTask, tellsOptionsThatItCannotUse) {
   const auto with = [](const char* key, const char* value) {
     return thrownBy([&] {
@@ -93,6 +107,7 @@ TEST(PositioningTask, tellsOptionsThatItCannotUse) {
     });
   };
   EXPECT_EQ(with("motion", "wave"), "option motion: wave is no kick of this robot");
+  EXPECT_EQ(with("searched", "nearby"), "option searched: \"nearby\" is not one of all, far, near");
   EXPECT_EQ(with("start", "0.1"), "option start: \"0.1\" is no number from 0.3 to 10");
 }
 

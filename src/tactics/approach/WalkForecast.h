@@ -1,0 +1,26 @@
+#pragma once
+#include "math/Pose2.h"
+#include "robot/WalkLimits.h"
+
+namespace plumbline {
+
+/// A walking robot in any frame of the ground: where it is, and its speed forward, sideways and of the turn
+/// in its own frame [m/s, m/s, rad/s].
+struct WalkPoint {
+  Pose2 pose;
+  Vec3 speed = Vec3::Zero();
+};
+
+/// Where the robot is after `seconds` at its present speed.
+WalkPoint coasted(WalkPoint point, double seconds);
+
+/// What the walk makes of a request (forward, sideways, turn) in `seconds`: it scales the request into its
+/// limits, follows it as fast as it may, and gives way sideways and in turning to the speed forward, as
+/// walking::SpeedControl does. Sprints are left out.
+WalkPoint walked(WalkPoint point, const Vec3& request, const WalkLimits& limits, double seconds);
+
+/// Fastest speed from which a walk comes to rest within `distance`, if it brakes by `deceleration` and the
+/// speed changes once in `time` [s]: it falls by the same amount each time.
+double brakingSpeed(double distance, double deceleration, double time);
+
+}  // namespace plumbline
