@@ -66,6 +66,7 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
     wish.speed = Vec3(walk.velocity.x(), walk.velocity.y(), walk.turn);
     wish.limits = walk.limits;
   }
+  if (output.pressed) wish.headingTolerance = std::max(pressedHeading, positioning.toleranceHeading);
   if (theSkillRequest->tolerance > 0) wish.headingTolerance = theSkillRequest->tolerance;
   if (wanted == BallApproach::dribble && ball.norm() > runUp) wish.beyond = dribbleOn;
   const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour && ball.norm() > detourDistance;

@@ -30,7 +30,8 @@ MODULE(SkillGetBall)
   PARAMETER(double, pressedDistance, 0.8, "m", Range(0, 5),
             "if an opponent is this near to the ball, there is no time to stand exactly")
   PARAMETER(double, pressedTolerance, 1.75, "", Range(1, 10),
-            "then the tolerances of the kick are multiplied by this")
+            "then the tolerances of the ball's place are multiplied by this")
+  PARAMETER(double, pressedHeading, 0.33, "rad", Range(0.001, 3.2), "and its heading may be off by this")
   PARAMETER(double, detourDistance, 0.8, "m", Range(0, 10),
             "nearer to the ball than this the robot goes straight, even if others stand there")
   PARAMETER(double, dribbleDistance, 0.2, "m", Range(0.05, 1), "the ball ahead of the robot before a dribble")

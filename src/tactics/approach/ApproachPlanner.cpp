@@ -87,7 +87,7 @@ double Way::seconds(WalkPoint robot, double most) const {
 
 WalkCommand ApproachPlanner::update(const WalkPoint& robot, const Vec2& ball, double beyond,
                                     const WalkLimits& limits, const ApproachPlannerParameters& parameters) {
-  const WalkPoint later = coasted(robot, parameters.delay);  // with a heading within -pi .. pi
+  const WalkPoint later = coasted(robot, parameters.delay);
   const auto way = [&](Facing facing, Around side) {
     return Way{ball, beyond, limits, parameters, facing, side};
   };

@@ -11,7 +11,7 @@ struct ApproachPlannerParameters {
   PARAMETER(double, distance, 2, "m", Range(0, 20), "nearer than this the way is planned, 0: never")
   PARAMETER(double, sprintDistance, 1.2, "m", Range(0, 20), "in a sprint nearer than this; it is soon over")
   PARAMETER_GROUP(BallPathParameters, path, "around the ball")
-  PARAMETER(double, delay, 0.12, "s", Range(0, 0.5), "from a request of the walk to its effect")
+  PARAMETER(double, delay, 0.14, "s", Range(0, 0.5), "from a request of the walk to its effect")
   PARAMETER(double, request, 1.16, "", Range(0.5, 2),
             "speeds that are asked for, as a share of the walk's limits")
   PARAMETER(double, brakeShare, 0.78, "", Range(0.1, 2), "share of the walk's decelerations that is used")
@@ -29,14 +29,15 @@ struct ApproachPlannerParameters {
 enum class Facing { forward, backward, goal, ball };
 
 /// Chooses how to walk to a place at the ball: on which side around the ball, and which way the body faces.
-/// Each choice is simulated to its end with a model of the walk (Bertsekas' rollout of given policies), and
-/// the one that is there first is walked; again and again, so that what goes otherwise than planned counts.
+/// Each choice is simulated to its end with a model of the walk, and the one that is there first is walked
+/// (rollout of given policies: Bertsekas, Dynamic Programming and Optimal Control, 6.4). The choice is made
+/// anew every third cycle.
 ///
 /// Frame of everything here: the pose that the robot shall have, x where it will face [m, rad].
 class ApproachPlanner {
 public:
-  /// The walk's request of a cycle. ball: beside its place; beyond: the robot need not stop before it is this
-  /// far beyond the place along x, and it has no ball to spare then [m].
+  /// The walk's request of a cycle. robot: its heading within -pi .. pi. ball: the one beside the place.
+  /// beyond: the robot need not stop before it is this far beyond the place along x [m].
   WalkCommand update(const WalkPoint& robot, const Vec2& ball, double beyond, const WalkLimits& limits,
                      const ApproachPlannerParameters& parameters);
   /// The same to a place without a ball.

@@ -25,8 +25,8 @@ struct BallPath {
   bool last = false;         ///< nothing but the place itself is left
 };
 
-/// The way from a position to the origin, the place beside the ball, past a ball that is at `ball`: straight
-/// if the ball is not in the way, else by a tangent to the circle around it and along that. All in one frame
+/// The way from a position to the origin, which is the place beside the ball. It is straight if the ball is
+/// not in the way. Else it goes by a tangent to the circle around the ball, and along that. All in one frame
 /// [m].
 BallPath pathToPlace(const Vec2& position, const Vec2& ball, Around side, const BallPathParameters& p);
 

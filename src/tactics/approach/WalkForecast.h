@@ -14,9 +14,9 @@ struct WalkPoint {
 /// Where the robot is after `seconds` at its present speed.
 WalkPoint coasted(WalkPoint point, double seconds);
 
-/// What the walk makes of a request (forward, sideways, turn) in `seconds`: it scales the request into its
-/// limits, follows it as fast as it may, and gives way sideways and in turning to the speed forward, as
-/// walking::SpeedControl does. Sprints are left out.
+/// What the walk makes of a request (forward, sideways, turn) in `seconds`, as walking::SpeedControl does. It
+/// scales the request into its limits and follows it as fast as it may. What speed forward leaves of the
+/// limits bounds the other two. Sprints are left out.
 WalkPoint walked(WalkPoint point, const Vec3& request, const WalkLimits& limits, double seconds);
 
 /// Fastest speed from which a walk comes to rest within `distance`, if it brakes by `deceleration` and the

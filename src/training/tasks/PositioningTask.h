@@ -19,9 +19,11 @@ namespace plumbline::training {
 /// The cost of a run is formula 3.3 with the opposite sign, in seconds. It is the time to the kick and
 /// `fall` seconds for a fall. To that come `metre` seconds for each metre that the ball comes less far along
 /// the wanted direction than the kick carries, or goes aside. Figures: time to the kick [s], distance along
-/// and aside [m], kicked, fell. Options: type (0), motion (the farthest kick), distance of the start (1.5)
-/// [m], farthest (as start; starts are drawn up to it) [m], metre (0.5), fall (5), searched (all; far: the
-/// way from afar; near: the last metres and how exactly it stands), and those of TrialWorlds.
+/// and aside [m], kicked, fell.
+///
+/// Options: type (0), motion (the farthest kick), distance of the start (1.5) [m], farthest (as start; starts
+/// are drawn up to it) [m], metre (0.5), fall (5), searched, and those of TrialWorlds. searched says which
+/// numbers: all, far (of the way from afar), near (of the last metres, and how exactly it stands).
 class PositioningTask : public SearchTask {
 public:
   explicit PositioningTask(const TaskOptions& options);
