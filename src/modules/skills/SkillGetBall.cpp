@@ -3,13 +3,30 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/DrawingSite.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {
 
 namespace {
+
 constexpr double farAway = 1e3;  // [m]
+
+/// The way that is planned to the place at the ball, and where the robot will look on it and at its end.
+void drawPlan(Drawing& drawing, const BallPositioning::Wish& wish, const ApproachPlanner& planner,
+              const ApproachPlannerParameters& parameters) {
+  constexpr std::size_t between = 5;  // steps of the model, 0.3 s
+  const std::vector<Pose2> way = planner.way(wish.limits, parameters);
+  if (way.empty()) return;
+  const Vec2 place = wish.ball - Eigen::Rotation2Dd(wish.heading) * wish.place;
+  drawing.in(DrawingFrame::robot, Pose2(place, wish.heading));
+  for (std::size_t i = 1; i < way.size(); ++i)
+    drawing.line(way[i - 1].position, way[i].position, colours::cyan);
+  for (std::size_t i = 0; i < way.size(); i += between) drawing.pose(way[i], 0.08, colours::cyan);
+  drawing.pose({}, 0.2, colours::yellow);
 }
+
+}  // namespace
 
 MAKE_MODULE(SkillGetBall)
 
@@ -73,6 +90,7 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   if (detour) wish.detour = theSafeWalkDirection->wayPoint;
   const WalkCommand command =
       positioning_.update(wish, theBallPos->relative, positioning, theFrameInfo->cycleSeconds);
+  DEBUG_DRAWING("draw:SkillGetBall:plan", drawPlan(drawing, wish, positioning_.planner(), positioning.plan));
   output.atBall = positioning_.atBall();
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;

@@ -28,6 +28,7 @@ struct Way {
 
   double bodyHeading(const WalkPoint& robot, const BallPath& path, double direction) const;
   Vec3 request(const WalkPoint& robot) const;
+  bool over(const WalkPoint& robot) const;
   double seconds(WalkPoint robot, double most) const;
 };
 
@@ -69,16 +70,20 @@ Vec3 Way::request(const WalkPoint& robot) const {
   return {speed * along.x(), speed * along.y(), turn};
 }
 
+bool Way::over(const WalkPoint& robot) const {
+  const Vec2& at = robot.pose.position;
+  const bool there = beyond > 0 ? at.x() > -atPlace && std::abs(at.y()) < atPlace
+                                : at.norm() < atPlace && robot.speed.head<2>().norm() < atRest;
+  return there && std::abs(robot.pose.heading) < atHeading;
+}
+
 double Way::seconds(WalkPoint robot, double most) const {
   double cost = 0;
   while (cost < most) {
-    const Vec2& at = robot.pose.position;
-    const bool arrived = beyond > 0 ? at.x() > -atPlace && std::abs(at.y()) < atPlace
-                                    : at.norm() < atPlace && robot.speed.head<2>().norm() < atRest;
-    if (arrived && std::abs(robot.pose.heading) < atHeading) return cost;
+    if (over(robot)) return cost;
     robot = walked(robot, request(robot), limits, modelStep);
     cost += modelStep;
-    if ((at - ball).norm() < besideBall) cost += p.ballCost * modelStep;
+    if ((robot.pose.position - ball).norm() < besideBall) cost += p.ballCost * modelStep;
   }
   return most;
 }
@@ -87,7 +92,9 @@ double Way::seconds(WalkPoint robot, double most) const {
 
 WalkCommand ApproachPlanner::update(const WalkPoint& robot, const Vec2& ball, double beyond,
                                     const WalkLimits& limits, const ApproachPlannerParameters& parameters) {
-  const WalkPoint later = coasted(robot, parameters.delay);
+  const WalkPoint later = robot_ = coasted(robot, parameters.delay);
+  ball_ = ball;
+  beyond_ = beyond;
   const auto way = [&](Facing facing, Around side) {
     return Way{ball, beyond, limits, parameters, facing, side};
   };
@@ -113,6 +120,20 @@ WalkCommand ApproachPlanner::update(const WalkPoint& robot, const Vec2& ball, do
 WalkCommand ApproachPlanner::update(const WalkPoint& robot, const WalkLimits& limits,
                                     const ApproachPlannerParameters& parameters) {
   return update(robot, farAway, 0, limits, parameters);
+}
+
+std::vector<Pose2> ApproachPlanner::way(const WalkLimits& limits,
+                                        const ApproachPlannerParameters& parameters) const {
+  std::vector<Pose2> poses;
+  if (!planned_) return poses;
+  const Way way{ball_, beyond_, limits, parameters, facing_, side_};
+  WalkPoint robot = robot_;
+  for (double time = 0; time < longestWay; time += modelStep) {
+    poses.push_back(robot.pose);
+    if (way.over(robot)) break;
+    robot = walked(robot, way.request(robot), limits, modelStep);
+  }
+  return poses;
 }
 
 }  // namespace plumbline

@@ -1,4 +1,6 @@
 #pragma once
+#include <vector>
+
 #include "tactics/approach/BallPath.h"
 #include "tactics/approach/WalkForecast.h"
 #include "tactics/approach/WalkToPose.h"
@@ -51,12 +53,19 @@ public:
   /// Nothing is planned in this cycle: the next plan begins anew.
   void leave() { planned_ = false; }
 
+  /// Whether the last cycle was planned, and its way as simulated: poses every 0.06 s, at most 12 s. For
+  /// drawings.
+  bool plans() const { return planned_; }
+  std::vector<Pose2> way(const WalkLimits& limits, const ApproachPlannerParameters& parameters) const;
   Facing facing() const { return facing_; }
   Around side() const { return side_; }
   double seconds() const { return seconds_; }  ///< until the robot is there, as planned [s]
 
 private:
   bool planned_ = false;
+  WalkPoint robot_;  ///< of the last cycle, when its request has an effect
+  Vec2 ball_ = Vec2::Zero();
+  double beyond_ = 0;
   int cycle_ = 0;  ///< since the last choice
   Facing facing_ = Facing::forward;
   Around side_ = Around::clockwise;

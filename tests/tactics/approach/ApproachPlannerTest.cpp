@@ -90,6 +90,20 @@ TEST_F(ApproachPlannerTest, brakesBeforeThePlaceUnlessItLiesBeyond) {
   EXPECT_GT(plan(robot).velocity.x(), 0.5);
 }
 
+TEST_F(ApproachPlannerTest, theWayCanBeDrawn) {
+  EXPECT_TRUE(planner.way(limits, p).empty()) << "nothing is planned";
+  plan({Pose2(1.2, 0.3, 2)});
+  EXPECT_TRUE(planner.plans());
+  const std::vector<Pose2> way = planner.way(limits, p);
+  ASSERT_GT(way.size(), 20U);
+  EXPECT_NEAR(way.front().x(), 1.2, 1e-9);
+  EXPECT_LT(way.back().position.norm(), 0.03);
+  EXPECT_LT(std::abs(way.back().heading), 0.15);
+  EXPECT_GT((way[1].position - way[0].position).norm() + std::abs(way[1].heading - way[0].heading), 0);
+  planner.leave();
+  EXPECT_TRUE(planner.way(limits, p).empty());
+}
+
 TEST_F(ApproachPlannerTest, theTimeIsTheOneThatTheWayTakes) {
   const WalkPoint robot{Pose2(-1.2, 0.3, 0.5)};
   plan(robot);

@@ -21,7 +21,7 @@ struct ActionChoiceParameters {
   PARAMETER(double, pushSeconds, 0.3, "s", Range(0, 20),
             "until a dribbled ball moves, once the robot is there")
   PARAMETER(
-      double, roundSeconds, 3.5, "s", Range(0, 20),
+      double, roundSeconds, 2.5, "s", Range(0, 20),
       "to get round the ball, for a robot on the wrong side of it; less for smaller angles, in proportion")
   PARAMETER(double, dribbleWay, 1.5, "m", Range(0.1, 10), "how far ahead a dribble is judged")
   PARAMETER(double, dribbleSpeed, 0.5, "m/s", Range(0.05, 3), "of the ball while it is dribbled")
