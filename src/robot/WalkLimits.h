@@ -10,7 +10,7 @@ struct WalkLimits {
   double accelerationForward = 0, decelerationForward = 0, accelerationSideways = 0;  ///< [m/s^2]
   double accelerationTurn = 0;                                                        ///< [rad/s^2]
 
-  bool known() const { return forward > 0; }
+  bool known() const { return forward > 0 && backward > 0 && sideways > 0 && turn > 0; }
   bool operator==(const WalkLimits&) const = default;
 
   /// Of the walk's own parameters, walking::SpeedParameters: without a limit of mixtures that of one

@@ -42,6 +42,23 @@ TEST_F(GetBallTest, anOpponentNearTheBallLeavesNoTimeToStandExactly) {
   EXPECT_FALSE(ballAt({0.205, -0.05}).pressed);
 }
 
+TEST_F(GetBallTest, anOpponentNearTheBallLeavesNoTimeToTurnExactly) {
+  OtherRobot& opponent = harness.input<OtherRobots>().robots.emplace_back();
+  const auto turnedOff = [&](double off) {
+    ballAt({0.5, -0.05});  // away, so that nothing stays
+    harness.input<BallPos>().relative = harness.input<BallPos>().field = Vec2(0.16, -0.05);
+    harness.input<SkillRequest>().target = Pose2(10.16, -0.05 + 10 * std::tan(off));
+    harness.cycle();
+    return harness.output<SkillGetBallOutput>().atBall;
+  };
+  opponent.position = {3, 0};
+  EXPECT_TRUE(turnedOff(0.1));
+  EXPECT_FALSE(turnedOff(0.25));
+  opponent.position = {0.8, 0};
+  EXPECT_TRUE(turnedOff(0.25));
+  EXPECT_FALSE(turnedOff(0.4));
+}
+
 TEST_F(GetBallTest, aRequestMaySayHowExactlyTheBallHasToGo) {
   ballAt({0.16, -0.05});
   SkillRequest& wanted = harness.input<SkillRequest>();

@@ -84,6 +84,7 @@ TEST(WalkForecast, withoutALimitOfMixturesThatOfOneDirectionCounts) {
   EXPECT_EQ(found.turn, 1.6);
   EXPECT_TRUE(found.known());
   EXPECT_FALSE(WalkLimits().known());
+  EXPECT_FALSE((WalkLimits{.forward = 0.5, .backward = 0.3, .turn = 1}.known())) << "nothing to the side";
 }
 
 TEST(WalkForecast, fromTheBrakingSpeedStepsOfThatTimeEndAtTheDistance) {
