@@ -128,7 +128,7 @@ std::vector<Pose2> ApproachPlanner::way(const WalkLimits& limits,
   if (!planned_) return poses;
   const Way way{ball_, beyond_, limits, parameters, facing_, side_};
   WalkPoint robot = robot_;
-  for (double time = 0; time < longestWay; time += modelStep) {
+  while (static_cast<double>(poses.size()) * modelStep < longestWay) {
     poses.push_back(robot.pose);
     if (way.over(robot)) break;
     robot = walked(robot, way.request(robot), limits, modelStep);

@@ -28,7 +28,7 @@ bool straightWayIsFree(const Vec2& position, const Vec2& ball, double radius) {
 }  // namespace
 
 BallPath pathToPlace(const Vec2& position, const Vec2& ball, Around side, const BallPathParameters& p) {
-  const BallPath direct{.next = Vec2::Zero(), .length = position.norm(), .last = true};
+  BallPath direct{.next = Vec2::Zero(), .length = position.norm(), .last = true};
   const Vec2 from = position - ball;
   const double distance = from.norm(), radius = p.avoidRadius;
   const double here = std::atan2(from.y(), from.x()), place = std::atan2(-ball.y(), -ball.x());
