@@ -7,7 +7,7 @@ namespace plumbline {
 /// How far from the ball a robot walks around it.
 struct BallPathParameters {
   PARAMETERS(BallPathParameters)
-  PARAMETER(double, avoidRadius, 0.22, "m", Range(0.1, 2),
+  PARAMETER(double, avoidRadius, 0.26, "m", Range(0.1, 2),
             "distance kept from the ball while walking around it")
   PARAMETER(double, stepAngle, 0.25, "rad", Range(0.05, 1.5),
             "how far ahead on the circle around the ball the next way point lies")
