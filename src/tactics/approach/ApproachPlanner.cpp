@@ -101,8 +101,10 @@ WalkCommand ApproachPlanner::update(const WalkPoint& robot, const Vec2& ball, do
   if (!planned_ || ++cycle_ >= choiceEvery) {
     double best =
         planned_ ? way(facing_, side_).seconds(later, longestWay) - parameters.switchGain : longestWay;
+    const bool straight = pathToPlace(later.pose.position, ball, side_, parameters.path).last;
     for (const Facing facing : {Facing::forward, Facing::backward, Facing::goal, Facing::ball})
       for (const Around side : {Around::clockwise, Around::counterclockwise}) {
+        if (straight && side != side_) continue;  // both are the same
         const double seconds = way(facing, side).seconds(later, best);
         if (seconds >= best) continue;
         best = seconds;
