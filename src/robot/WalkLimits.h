@@ -12,21 +12,6 @@ struct WalkLimits {
 
   bool known() const { return forward > 0 && backward > 0 && sideways > 0 && turn > 0; }
   bool operator==(const WalkLimits&) const = default;
-
-  /// Of the walk's own parameters, walking::SpeedParameters: without a limit of mixtures that of one
-  /// direction counts.
-  template <class SpeedParameters>
-  static WalkLimits of(const SpeedParameters& speed) {
-    const auto within = [](double omni, double most) { return omni > 0 && omni < most ? omni : most; };
-    return {within(speed.omniForward, speed.maxForward),
-            within(speed.omniBackward, speed.maxBackward),
-            within(speed.omniSideways, speed.maxSideways),
-            within(speed.omniTurn, speed.maxTurn),
-            speed.accelerationForward,
-            speed.decelerationForward,
-            speed.accelerationSideways,
-            speed.accelerationTurn};
-  }
 };
 
 }  // namespace plumbline

@@ -114,10 +114,10 @@ bool MotionDriver::walkFor(double seconds, const Vec2& velocity, double turn) {
   return true;
 }
 
-bool MotionDriver::walkStep(const Vec2& velocity, double turn, bool go) {
+walking::WalkOutput MotionDriver::walkStep(const Vec2& velocity, double turn, bool go) {
   const walking::WalkOutput output = walkOutput(velocity, turn, go);
   step(output.angles);
-  return output.standing;
+  return output;
 }
 
 walking::WalkOutput MotionDriver::walkOutput(const Vec2& velocity, double turn, bool go) {

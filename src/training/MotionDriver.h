@@ -59,9 +59,9 @@ public:
   /// Walks; false as soon as the robot lies.
   bool walkFor(double seconds, const Vec2& velocity, double turn);
   void beginWalk() { walk.reset(); }
-  /// One cycle of the walk, whether it stands or lies; go: false comes to a stop. True once it stands.
-  bool walkStep(const Vec2& velocity, double turn, bool go = true);
-  /// What the walk wants in this cycle; the caller moves the robot.
+  /// One cycle of the walk, whether it stands or lies; go: false comes to a stop. What the walk wanted.
+  walking::WalkOutput walkStep(const Vec2& velocity, double turn, bool go = true);
+  /// The same, but the caller moves the robot.
   walking::WalkOutput walkOutput(const Vec2& velocity, double turn, bool go = true);
   /// The motion that the agent's MotionSelector would choose for how the robot lies now; again: the last one
   /// did not keep it on its feet.

@@ -24,17 +24,19 @@ void writeDoubles(double* to, const T& values) {
   std::memcpy(to, &values, sizeof values);
 }
 
-inline double less(double from, double factor, double what) { return from - factor * what; }
-inline DoublePair less(DoublePair from, double factor, DoublePair what) { return from - factor * what; }
+inline double minusScaled(double from, double factor, double what) { return from - factor * what; }
+inline DoublePair minusScaled(DoublePair from, double factor, DoublePair what) {
+  return from - factor * what;
+}
 /// from - factor * what, each.
-inline DoubleEight less(const DoubleEight& from, double factor, const DoubleEight& what) {
-  return {less(from.a, factor, what.a), less(from.b, factor, what.b), less(from.c, factor, what.c),
-          less(from.d, factor, what.d)};
+inline DoubleEight minusScaled(const DoubleEight& from, double factor, const DoubleEight& what) {
+  return {minusScaled(from.a, factor, what.a), minusScaled(from.b, factor, what.b),
+          minusScaled(from.c, factor, what.c), minusScaled(from.d, factor, what.d)};
 }
 
-inline double times(double value, double factor) { return value * factor; }
-inline DoublePair times(DoublePair value, double factor) { return value * factor; }
-inline DoubleEight times(const DoubleEight& value, double factor) {
+inline double scaled(double value, double factor) { return value * factor; }
+inline DoublePair scaled(DoublePair value, double factor) { return value * factor; }
+inline DoubleEight scaled(const DoubleEight& value, double factor) {
   return {value.a * factor, value.b * factor, value.c * factor, value.d * factor};
 }
 

@@ -20,19 +20,19 @@ void SmallFactor::eliminate(double* X, Eigen::Index width) {
     reciprocal_.data()[j] = over;
     // Pairs of rows: on the diagonal and above it they leave numbers that nobody reads.
     for (Eigen::Index i = j + 1 - (j + 1) % 2; i < stride; i += 2)
-      writeDoubles(column + i, times(readDoubles<DoublePair>(column + i), over));
+      writeDoubles(column + i, scaled(readDoubles<DoublePair>(column + i), over));
     for (Eigen::Index k = j + 1; k < n; ++k) {
       double* const other = L_.data() + k * stride;
       const double factor = column[k];
       for (Eigen::Index i = k - k % 2; i < stride; i += 2)
-        writeDoubles(other + i,
-                     less(readDoubles<DoublePair>(other + i), factor, readDoubles<DoublePair>(column + i)));
+        writeDoubles(other + i, minusScaled(readDoubles<DoublePair>(other + i), factor,
+                                            readDoubles<DoublePair>(column + i)));
     }
     if (!X) continue;
-    const T row = times(readDoubles<T>(X + j * width), over);
+    const T row = scaled(readDoubles<T>(X + j * width), over);
     writeDoubles(X + j * width, row);
     for (Eigen::Index k = j + 1; k < n; ++k)
-      writeDoubles(X + k * width, less(readDoubles<T>(X + k * width), column[k], row));
+      writeDoubles(X + k * width, minusScaled(readDoubles<T>(X + k * width), column[k], row));
   }
 }
 
@@ -44,8 +44,8 @@ void SmallFactor::solveForward(double* X, Eigen::Index width) const {
     const double* factor = L_.data() + i;
     auto row = readDoubles<T>(X + i * width);
     for (const double* other = X; other != X + i * width; other += width, factor += stride)
-      row = less(row, *factor, readDoubles<T>(other));
-    writeDoubles(X + i * width, times(row, reciprocal_.data()[i]));
+      row = minusScaled(row, *factor, readDoubles<T>(other));
+    writeDoubles(X + i * width, scaled(row, reciprocal_.data()[i]));
   }
 }
 
@@ -56,8 +56,8 @@ void SmallFactor::solveBackward(double* X, Eigen::Index width) const {
   for (Eigen::Index j = n; j-- > 0;) {
     const double* const column = L_.data() + j * stride;
     auto row = readDoubles<T>(X + j * width);
-    for (Eigen::Index i = j + 1; i < n; ++i) row = less(row, column[i], readDoubles<T>(X + i * width));
-    writeDoubles(X + j * width, times(row, reciprocal_.data()[j]));
+    for (Eigen::Index i = j + 1; i < n; ++i) row = minusScaled(row, column[i], readDoubles<T>(X + i * width));
+    writeDoubles(X + j * width, scaled(row, reciprocal_.data()[j]));
   }
 }
 

@@ -99,7 +99,8 @@ private:
   const Trial& trial_;
   TreeDynamics tree_;
   std::vector<Drive> drives_;
-  std::vector<Gear> gears_, gearsUsed_;
+  std::vector<Gear> gears_;
+  std::vector<Gear> gearsUsed_;  ///< as the last solve had them; of step(), kept for its memory
   std::vector<Friction> frictions_;
   std::vector<const ExternalForce*> forces_;  ///< on links that move here
   std::shared_ptr<Contacts> contacts_;        ///< of a free base

@@ -4,6 +4,7 @@
 #include "framework/ThreadPriority.h"
 #include "modules/motion/WalkConfig.h"
 #include "modules/motion/WalkDrawing.h"
+#include "walking/planning/SpeedLimits.h"
 
 namespace plumbline {
 
@@ -104,7 +105,7 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
   theWalkingEngineOutput->fadeSeconds = fadeSeconds;
   theWalkingEngineOutput->velocity = output.velocity;
   theWalkingEngineOutput->turn = output.turn;
-  theWalkingEngineOutput->limits = WalkLimits::of(walk.base.speed);
+  theWalkingEngineOutput->limits = walking::walkLimits(walk.base);
 }
 
 }  // namespace plumbline

@@ -12,14 +12,11 @@ namespace {
 
 constexpr double farAway = 1e3;  // [m]
 
-/// The way that is planned to the place at the ball, and where the robot will look on it and at its end.
-void drawPlan(Drawing& drawing, const BallPositioning::Wish& wish, const ApproachPlanner& planner,
-              const ApproachPlannerParameters& parameters) {
-  constexpr std::size_t between = 5;  // steps of the model, 0.3 s
-  const std::vector<Pose2> way = planner.way(wish.limits, parameters);
+/// A planned way in the frame of its place, and where the robot looks on it and at its end.
+void drawPlan(Drawing& drawing, const Pose2& T_robot_place, const std::vector<Pose2>& way) {
+  constexpr std::size_t between = 5;  // poses, 0.3 s
   if (way.empty()) return;
-  const Vec2 place = wish.ball - Eigen::Rotation2Dd(wish.heading) * wish.place;
-  drawing.in(DrawingFrame::robot, Pose2(place, wish.heading));
+  drawing.in(DrawingFrame::robot, T_robot_place);
   for (std::size_t i = 1; i < way.size(); ++i)
     drawing.line(way[i - 1].position, way[i].position, colours::cyan);
   for (std::size_t i = 0; i < way.size(); i += between) drawing.pose(way[i], 0.08, colours::cyan);
@@ -79,9 +76,8 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
                              .place = place,
                              .hurry = output.pressed ? pressedTolerance : 1};
   if (theWalkingEngineOutput) {
-    const WalkingEngineOutput& walk = *theWalkingEngineOutput;
-    wish.speed = Vec3(walk.velocity.x(), walk.velocity.y(), walk.turn);
-    wish.limits = walk.limits;
+    wish.speed = theWalkingEngineOutput->speed();
+    wish.limits = theWalkingEngineOutput->limits;
   }
   if (output.pressed) wish.headingTolerance = std::max(pressedHeading, positioning.toleranceHeading);
   if (theSkillRequest->tolerance > 0) wish.headingTolerance = theSkillRequest->tolerance;
@@ -90,7 +86,8 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   if (detour) wish.detour = theSafeWalkDirection->wayPoint;
   const WalkCommand command =
       positioning_.update(wish, theBallPos->relative, positioning, theFrameInfo->cycleSeconds);
-  DEBUG_DRAWING("draw:SkillGetBall:plan", drawPlan(drawing, wish, positioning_.planner(), positioning.plan));
+  DEBUG_DRAWING("draw:SkillGetBall:plan", drawPlan(drawing, BallPositioning::placeOf(wish),
+                                                   positioning_.plannedWay(wish, positioning)));
   output.atBall = positioning_.atBall();
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;

@@ -10,8 +10,8 @@ void SkillMoveToPos::update(SkillMoveToPosOutput* theSkillMoveToPosOutput) {
   SkillMoveToPosOutput& output = *theSkillMoveToPosOutput;
   output.clear();
   if (theSkillRequest->skill != Skill::moveToPos) {
-    arrived_ = sprinting_ = false;
-    planner_.leave();
+    arrived_ = false;
+    way_.leave();
     return;
   }
   const Pose2 target = theRobotPose->pose.inverse() * theSkillRequest->target;
@@ -22,20 +22,15 @@ void SkillMoveToPos::update(SkillMoveToPosOutput* theSkillMoveToPosOutput) {
   output.active = true;
   if (arrived_) return;
   if (theSafeWalkDirection && theSafeWalkDirection->wait) return;
-  const bool detour = theSafeWalkDirection && theSafeWalkDirection->detour;
-  WalkPoint robot{target.inverse()};
+  std::optional<Vec2> detour;
+  if (theSafeWalkDirection && theSafeWalkDirection->detour) detour = theSafeWalkDirection->wayPoint;
+  Vec3 speed = Vec3::Zero();
   WalkLimits limits;
   if (theWalkingEngineOutput) {
-    const WalkingEngineOutput& now = *theWalkingEngineOutput;
-    robot.speed = Vec3(now.velocity.x(), now.velocity.y(), now.turn);
-    limits = now.limits;
+    speed = theWalkingEngineOutput->speed();
+    limits = theWalkingEngineOutput->limits;
   }
-  const bool plans = !detour && ApproachPlanner::plansFrom(target.position.norm(), sprinting_, limits, plan);
-  if (!plans) planner_.leave();
-  const WalkCommand command = plans    ? planner_.update(robot, limits, plan)
-                              : detour ? walkPast(theSafeWalkDirection->wayPoint, walk, sprinting_)
-                                       : walkToPose(target, walk, sprinting_);
-  sprinting_ = command.sprint;
+  const WalkCommand command = way_.update(target, speed, limits, detour, walk, plan);
   output.motion = Motion::walk;
   output.walkVelocity = command.velocity;
   output.walkTurn = command.turn;

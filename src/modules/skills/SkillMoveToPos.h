@@ -5,8 +5,7 @@
 #include "representations/motion/WalkingEngineOutput.h"
 #include "representations/skills/SafeWalkDirection.h"
 #include "representations/skills/SkillMoveToPosOutput.h"
-#include "tactics/approach/ApproachPlanner.h"
-#include "tactics/approach/WalkToPose.h"
+#include "tactics/approach/WalkToPlace.h"
 
 namespace plumbline {
 
@@ -29,8 +28,8 @@ public:
   void update(SkillMoveToPosOutput* theSkillMoveToPosOutput) override;
 
 private:
-  ApproachPlanner planner_;
-  bool arrived_ = false, sprinting_ = false;
+  WalkToPlace way_;
+  bool arrived_ = false;
 };
 
 }  // namespace plumbline

@@ -15,6 +15,8 @@ public:
   Vec2 velocity = Vec2::Zero();  ///< walked now [m/s]
   double turn = 0;               ///< [rad/s]
   WalkLimits limits;             ///< of what may be asked for
+  /// Forward, sideways, turn [m/s, rad/s].
+  Vec3 speed() const { return {velocity.x(), velocity.y(), turn}; }
   void stream(InStream* in, OutStream* out) override {
     MotionOutput::stream(in, out);
     STREAM("odometryPosition", odometry.position);

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/BrakingSpeed.h"
+
 namespace plumbline {
 namespace {
 
@@ -35,10 +37,11 @@ struct Way {
 double Way::bodyHeading(const WalkPoint& robot, const BallPath& path, double direction) const {
   double speed = limits.forward;
   if (facing == Facing::backward) speed = limits.backward;
-  if (facing == Facing::ball) speed = limits.sideways;
+  if (facing == Facing::toBall) speed = limits.sideways;
   const double turn = std::abs(robot.pose.heading) / (p.turnShare * limits.turn) + turnBefore;
-  if (facing == Facing::goal || path.length < nearPlace || path.length / speed < p.finalTurn * turn) return 0;
-  if (facing == Facing::ball) {
+  if (facing == Facing::asAtEnd || path.length < nearPlace || path.length / speed < p.finalTurn * turn)
+    return 0;
+  if (facing == Facing::toBall) {
     const Vec2 toBall = ball - robot.pose.position;
     return std::atan2(toBall.y(), toBall.x());
   }
@@ -53,20 +56,20 @@ Vec3 Way::request(const WalkPoint& robot) const {
   }
   const Vec2 way = path.next - robot.pose.position;
   const double direction = std::atan2(way.y(), way.x());
-  const double off = normalizeAngle(bodyHeading(robot, path, direction) - robot.pose.heading);
+  const double error = normalizeAngle(bodyHeading(robot, path, direction) - robot.pose.heading);
   const double turn = std::copysign(
       std::min(p.turnShare * limits.turn,
-               brakingSpeed(std::abs(off), p.brakeShare * limits.accelerationTurn, p.headingTime)),
-      off);
+               brakingSpeed(std::abs(error), p.brakeShare * limits.accelerationTurn, p.headingTime)),
+      error);
   if (way.norm() < 1e-9) return {0, 0, turn};
   const Vec2 along(std::cos(direction - robot.pose.heading), std::sin(direction - robot.pose.heading));
   const double fastest = 1 / std::hypot(along.x() / (along.x() >= 0 ? limits.forward : limits.backward),
                                         along.y() / limits.sideways);
-  const double left = std::sqrt(std::max(leastWalk * leastWalk, 1 - std::pow(turn / limits.turn, 2)));
+  const double besideTurn = std::sqrt(std::max(leastWalk * leastWalk, 1 - std::pow(turn / limits.turn, 2)));
   const double deceleration = p.brakeShare / std::hypot(along.x() / limits.decelerationForward,
                                                         along.y() / limits.accelerationSideways);
   const double speed =
-      std::min(p.request * left * fastest, brakingSpeed(path.length, deceleration, p.brakeTime));
+      std::min(p.speedShare * besideTurn * fastest, brakingSpeed(path.length, deceleration, p.brakeTime));
   return {speed * along.x(), speed * along.y(), turn};
 }
 
@@ -92,9 +95,7 @@ double Way::seconds(WalkPoint robot, double most) const {
 
 WalkCommand ApproachPlanner::update(const WalkPoint& robot, const Vec2& ball, double beyond,
                                     const WalkLimits& limits, const ApproachPlannerParameters& parameters) {
-  const WalkPoint later = robot_ = coasted(robot, parameters.delay);
-  ball_ = ball;
-  beyond_ = beyond;
+  const WalkPoint later = coasted(robot, parameters.delay);
   const auto way = [&](Facing facing, Around side) {
     return Way{ball, beyond, limits, parameters, facing, side};
   };
@@ -102,7 +103,7 @@ WalkCommand ApproachPlanner::update(const WalkPoint& robot, const Vec2& ball, do
     double best =
         planned_ ? way(facing_, side_).seconds(later, longestWay) - parameters.switchGain : longestWay;
     const bool straight = pathToPlace(later.pose.position, ball, side_, parameters.path).last;
-    for (const Facing facing : {Facing::forward, Facing::backward, Facing::goal, Facing::ball})
+    for (const Facing facing : {Facing::forward, Facing::backward, Facing::asAtEnd, Facing::toBall})
       for (const Around side : {Around::clockwise, Around::counterclockwise}) {
         if (straight && side != side_) continue;  // both are the same
         const double seconds = way(facing, side).seconds(later, best);
@@ -124,16 +125,17 @@ WalkCommand ApproachPlanner::update(const WalkPoint& robot, const WalkLimits& li
   return update(robot, farAway, 0, limits, parameters);
 }
 
-std::vector<Pose2> ApproachPlanner::way(const WalkLimits& limits,
+std::vector<Pose2> ApproachPlanner::way(const WalkPoint& robot, const Vec2& ball, double beyond,
+                                        const WalkLimits& limits,
                                         const ApproachPlannerParameters& parameters) const {
   std::vector<Pose2> poses;
   if (!planned_) return poses;
-  const Way way{ball_, beyond_, limits, parameters, facing_, side_};
-  WalkPoint robot = robot_;
+  const Way way{ball, beyond, limits, parameters, facing_, side_};
+  WalkPoint walker = coasted(robot, parameters.delay);
   while (static_cast<double>(poses.size()) * modelStep < longestWay) {
-    poses.push_back(robot.pose);
-    if (way.over(robot)) break;
-    robot = walked(robot, way.request(robot), limits, modelStep);
+    poses.push_back(walker.pose);
+    if (way.over(walker)) break;
+    walker = walked(walker, way.request(walker), limits, modelStep);
   }
   return poses;
 }

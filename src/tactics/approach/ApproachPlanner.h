@@ -11,11 +11,12 @@ namespace plumbline {
 struct ApproachPlannerParameters {
   PARAMETERS(ApproachPlannerParameters)
   PARAMETER(double, distance, 2, "m", Range(0, 20), "nearer than this the way is planned, 0: never")
-  PARAMETER(double, sprintDistance, 1.2, "m", Range(0, 20), "in a sprint nearer than this; it is soon over")
-  PARAMETER_GROUP(BallPathParameters, path, "around the ball")
+  PARAMETER(double, sprintDistance, 1.2, "m", Range(0, 20),
+            "a robot that sprints goes on until it is nearer than this")
+  PARAMETER_GROUP(BallApproachParameters, path, "around the ball")
   PARAMETER(double, delay, 0.14, "s", Range(0, 0.5), "from a request of the walk to its effect")
-  PARAMETER(double, request, 1.16, "", Range(0.5, 2),
-            "speeds that are asked for, as a share of the walk's limits")
+  PARAMETER(double, speedShare, 1.16, "", Range(0.5, 2),
+            "share of the walk's limits of speed that is asked for")
   PARAMETER(double, brakeShare, 0.78, "", Range(0.1, 2), "share of the walk's decelerations that is used")
   PARAMETER(double, brakeTime, 0.3, "s", Range(0.02, 2), "by which it brakes early")
   PARAMETER(double, headingTime, 0.05, "s", Range(0.02, 2), "by which it stops turning early")
@@ -27,13 +28,14 @@ struct ApproachPlannerParameters {
             "time beside the ball, where it may be touched, counts so much more")
 };
 
-/// Which way the body faces on the way. At its end it always turns to its last heading.
-enum class Facing { forward, backward, goal, ball };
+/// Which way the body faces on the way: along it, against it, as at its end, or to the ball. At the end it
+/// always turns to its last heading.
+enum class Facing { forward, backward, asAtEnd, toBall };
 
 /// Chooses how to walk to a place at the ball: on which side around the ball, and which way the body faces.
 /// Each choice is simulated to its end with a model of the walk, and the one that is there first is walked
-/// (rollout of given policies: Bertsekas, Dynamic Programming and Optimal Control, 6.4). The choice is made
-/// anew every third cycle.
+/// (rollout of given policies: Bertsekas, Tsitsiklis and Wu, J. Heuristics 3, 1997). The choice is made anew
+/// every third cycle.
 ///
 /// Frame of everything here: the pose that the robot shall have, x where it will face [m, rad].
 class ApproachPlanner {
@@ -53,19 +55,17 @@ public:
   /// Nothing is planned in this cycle: the next plan begins anew.
   void leave() { planned_ = false; }
 
-  /// Whether the last cycle was planned, and its way as simulated: poses every 0.06 s, at most 12 s. For
-  /// drawings.
-  bool plans() const { return planned_; }
-  std::vector<Pose2> way(const WalkLimits& limits, const ApproachPlannerParameters& parameters) const;
+  bool plans() const { return planned_; }  ///< the last cycle was planned
+  /// The way that was chosen, as simulated from a cycle's robot on: poses every 0.06 s, at most 12 s; empty
+  /// if nothing is planned. For drawings.
+  std::vector<Pose2> way(const WalkPoint& robot, const Vec2& ball, double beyond, const WalkLimits& limits,
+                         const ApproachPlannerParameters& parameters) const;
   Facing facing() const { return facing_; }
   Around side() const { return side_; }
   double seconds() const { return seconds_; }  ///< until the robot is there, as planned [s]
 
 private:
   bool planned_ = false;
-  WalkPoint robot_;  ///< of the last cycle, when its request has an effect
-  Vec2 ball_ = Vec2::Zero();
-  double beyond_ = 0;
   int cycle_ = 0;  ///< since the last choice
   Facing facing_ = Facing::forward;
   Around side_ = Around::clockwise;

@@ -27,7 +27,7 @@ bool straightWayIsFree(const Vec2& position, const Vec2& ball, double radius) {
 
 }  // namespace
 
-BallPath pathToPlace(const Vec2& position, const Vec2& ball, Around side, const BallPathParameters& p) {
+BallPath pathToPlace(const Vec2& position, const Vec2& ball, Around side, const BallApproachParameters& p) {
   BallPath direct{.next = Vec2::Zero(), .length = position.norm(), .last = true};
   const Vec2 from = position - ball;
   const double distance = from.norm(), radius = p.avoidRadius;

@@ -20,9 +20,12 @@ bool BallPositioning::exact(const Wish& wish, const Vec2& error, const BallPosit
          std::abs(error.y()) < stays * wish.hurry * p.toleranceSideways && std::abs(wish.heading) < most;
 }
 
-WalkCommand BallPositioning::planned(const Wish& wish, const BallPositioningParameters& p) {
-  const Pose2 place(Vec2(wish.ball - Eigen::Rotation2Dd(wish.heading) * wish.place), wish.heading);
-  return planner_.update({place.inverse(), wish.speed}, wish.place, wish.beyond, wish.limits, p.plan);
+Pose2 BallPositioning::placeOf(const Wish& wish) {
+  return Pose2(Vec2(wish.ball - Eigen::Rotation2Dd(wish.heading) * wish.place), wish.heading);
+}
+
+std::vector<Pose2> BallPositioning::plannedWay(const Wish& wish, const BallPositioningParameters& p) const {
+  return planner_.way({placeOf(wish).inverse(), wish.speed}, wish.place, wish.beyond, wish.limits, p.plan);
 }
 
 WalkCommand BallPositioning::update(const Wish& wish, const Vec2& ball, const BallPositioningParameters& p,
@@ -32,7 +35,8 @@ WalkCommand BallPositioning::update(const Wish& wish, const Vec2& ball, const Ba
   if (lastPart) way.position += wish.beyond * Vec2(std::cos(wish.heading), std::sin(wish.heading));
   const bool plans =
       !wish.detour && ApproachPlanner::plansFrom(wish.ball.norm(), sprinting_, wish.limits, p.plan);
-  WalkCommand command = plans         ? planned(wish, p)
+  WalkCommand command = plans         ? planner_.update({placeOf(wish).inverse(), wish.speed}, wish.place,
+                                                        wish.beyond, wish.limits, p.plan)
                         : wish.detour ? walkPast(*wish.detour, p.walk, sprinting_)
                                       : walkToPose(way, p.walk, sprinting_);
   if (!plans) planner_.leave();

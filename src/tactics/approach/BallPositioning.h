@@ -1,5 +1,6 @@
 #pragma once
 #include <optional>
+#include <vector>
 
 #include "tactics/approach/ApproachPlanner.h"
 #include "tactics/approach/BallApproach.h"
@@ -54,8 +55,12 @@ public:
   }
   const ApproachPlanner& planner() const { return planner_; }
 
+  /// Where the robot shall stand, in its present frame.
+  static Pose2 placeOf(const Wish& wish);
+  /// The planned way there in the frame of that place; empty if nothing is planned. For drawings.
+  std::vector<Pose2> plannedWay(const Wish& wish, const BallPositioningParameters& p) const;
+
 private:
-  WalkCommand planned(const Wish& wish, const BallPositioningParameters& p);
   bool exact(const Wish& wish, const Vec2& error, const BallPositioningParameters& p) const;
   void learnBias(const Pose2& T_robot_target, const BallPositioningParameters& p, double dt);
 

@@ -39,9 +39,4 @@ WalkPoint walked(WalkPoint point, const Vec3& request, const WalkLimits& limits,
   return coasted(point, seconds);
 }
 
-double brakingSpeed(double distance, double deceleration, double time) {
-  const double loss = deceleration * time / 2;
-  return std::sqrt(loss * loss + 2 * deceleration * distance) - loss;
-}
-
 }  // namespace plumbline

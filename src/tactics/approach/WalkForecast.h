@@ -19,8 +19,4 @@ WalkPoint coasted(WalkPoint point, double seconds);
 /// limits bounds the other two. Sprints are left out.
 WalkPoint walked(WalkPoint point, const Vec3& request, const WalkLimits& limits, double seconds);
 
-/// Fastest speed from which a walk comes to rest within `distance`, if it brakes by `deceleration` and the
-/// speed changes once in `time` [s]: it falls by the same amount each time.
-double brakingSpeed(double distance, double deceleration, double time);
-
 }  // namespace plumbline

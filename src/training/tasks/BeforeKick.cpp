@@ -17,7 +17,7 @@ bool walkUp(motion::MotionDriver& robot) {
     time += motion::MotionDriver::dt;
   }
   for (int i = 0; i < mostCyclesToStop; ++i)
-    if (robot.walkStep(Vec2::Zero(), 0, false)) return !robot.lying() && robot.tilt() < fallsOver;
+    if (robot.walkStep(Vec2::Zero(), 0, false).standing) return !robot.lying() && robot.tilt() < fallsOver;
   return false;
 }
 

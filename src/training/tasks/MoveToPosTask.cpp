@@ -7,6 +7,7 @@
 #include "framework/ConfigFile.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
+#include "walking/planning/SpeedLimits.h"
 
 namespace plumbline::training {
 namespace {
@@ -31,13 +32,14 @@ constexpr SearchedPath walkNumbers[] = {
 }  // namespace
 
 MoveToPosTask::MoveToPosTask(const TaskOptions& options)
+    : MoveToPosTask(options, ConfigFile("SkillMoveToPos", MotionTrial::directories(0))) {}
+
+MoveToPosTask::MoveToPosTask(const TaskOptions& options, const ConfigFile& file)
     : nearest_(options.number("nearest", 0.4, 0.1, 10)),
       farthest_(std::max(nearest_, options.number("farthest", 10, 0.1, 12))),
       fall_(options.number("fall", 8, 0, 100)),
-      searched_(ConfigFile("SkillMoveToPos", MotionTrial::directories(0)).root().section("walk"),
-                walkNumbers) {
+      searched_(file.root().section("walk"), walkNumbers) {
   options.check({"type", "nearest", "farthest", "fall"});
-  const ConfigFile file("SkillMoveToPos", MotionTrial::directories(0));
   if (file.root().has("plan"))
     readParameters(file.root().section("plan"), ApproachPlannerParameters::parameterList(), &plan_);
   const std::string type = options.word("type", "all", {"all", "0", "1", "2", "3", "4"});
@@ -49,29 +51,24 @@ TaskOutcome MoveToPosTask::run(const Eigen::VectorXd& parameters, std::uint64_t 
   MotionTrial& trial = *robots_[static_cast<std::size_t>(seed % robots_.size())];
   trial.seedStart(seed);
   const double metres = std::exp(trial.random(std::log(nearest_), std::log(farthest_)));
-  const double way = trial.random(-pi, pi), heading = trial.random(-pi, pi);
-  trial.robot.restart(Pose2(Vec2(metres * Vec2(std::cos(way), std::sin(way))), heading), trial.stand);
+  const double direction = trial.random(-pi, pi), heading = trial.random(-pi, pi);
+  trial.robot.restart(Pose2(Vec2(metres * Vec2(std::cos(direction), std::sin(direction))), heading),
+                      trial.stand);
   trial.restarted();
   trial.robot.world().setBall(farBall, Vec3::Zero());
 
   const WalkToPoseParameters p = searched_.with(parameters);
   double seconds = 0;
-  bool fell = false, sprinting = false;
-  ApproachPlanner planner;
+  bool fell = false;
+  const WalkLimits limits = walking::walkLimits(trial.gaits.base);
+  WalkToPlace way;
   Vec3 speed = Vec3::Zero();
   for (int there = 0; there <= cyclesThere && !fell && seconds < longestWay; seconds += MotionTrial::dt) {
     const Pose2 target = groundPose(trial.robot.torso().pose).inverse();
     const bool arrived = target.position.norm() < near && std::abs(target.heading) < turned;
-    const WalkLimits limits = WalkLimits::of(trial.gaits.base.speed);
-    const bool plans = ApproachPlanner::plansFrom(target.position.norm(), sprinting, limits, plan_);
-    if (!plans) planner.leave();
-    const WalkCommand command = arrived ? WalkCommand()
-                                : plans ? planner.update({target.inverse(), speed}, limits, plan_)
-                                        : walkToPose(target, p, sprinting);
-    sprinting = command.sprint;
-    const walking::WalkOutput output = trial.walkOutput(command.velocity, command.turn, !arrived);
-    trial.step(output.angles);
-    speed = Vec3(output.velocity.x(), output.velocity.y(), output.turn);
+    WalkCommand command;
+    if (!arrived) command = way.update(target, speed, limits, {}, p, plan_);
+    speed = trial.walkStep(command.velocity, command.turn, !arrived).speed();
     fell = trial.lying();
     there = arrived ? there + 1 : 0;
   }

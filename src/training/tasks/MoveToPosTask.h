@@ -3,8 +3,8 @@
 #include <string>
 #include <vector>
 
-#include "tactics/approach/ApproachPlanner.h"
-#include "tactics/approach/WalkToPose.h"
+#include "framework/ConfigFile.h"
+#include "tactics/approach/WalkToPlace.h"
 #include "training/MotionTrial.h"
 #include "training/SearchTask.h"
 #include "training/SearchedGroup.h"
@@ -28,6 +28,8 @@ public:
                    const std::map<std::string, double>& figures) const override;
 
 private:
+  MoveToPosTask(const TaskOptions& options, const ConfigFile& file);
+
   double nearest_, farthest_, fall_;  ///< options [m, m, s]
   SearchedGroup<WalkToPoseParameters> searched_;
   ApproachPlannerParameters plan_;

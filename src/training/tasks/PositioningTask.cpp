@@ -12,6 +12,7 @@
 #include "framework/ConfigurationError.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
+#include "walking/planning/SpeedLimits.h"
 
 namespace plumbline::training {
 namespace {
@@ -53,7 +54,7 @@ constexpr SearchedPath searchedNumbers[] = {{"walk.maxForward", 0.1},
                                             {"plan.path.stepAngle", 0.1},
                                             {"plan.path.behindAngle", 0.1},
                                             {"plan.delay", 0.03},
-                                            {"plan.request", 0.1},
+                                            {"plan.speedShare", 0.1},
                                             {"plan.brakeShare", 0.1},
                                             {"plan.brakeTime", 0.06},
                                             {"plan.headingTime", 0.05},
@@ -108,6 +109,7 @@ struct PositioningTask::Walk {
   const BallPositioningParameters& p;
   Vec2 offset;  ///< of the ball that is seen, robot's frame [m]
   BallPositioning positioning{};
+  WalkLimits limits = walking::walkLimits(trial.gaits.base);
   Vec3 speed = Vec3::Zero();  ///< of the walk [m/s, rad/s]
   bool right = true;
   double seconds = 0;  ///< until the ball is kicked [s]
@@ -133,13 +135,12 @@ struct PositioningTask::Walk {
         .heading = normalizeAngle(-mirror * kick.kick->direction - robot().heading),
         .place = Vec2(kick.ball.x(), mirror * kick.ball.y()),
         .speed = speed,
-        .limits = WalkLimits::of(trial.gaits.base.speed)};
+        .limits = limits};
     const bool was = positioning.atBall();
     const WalkCommand command = positioning.update(wish, wish.ball, p, MotionTrial::dt);
     const bool is = positioning.atBall();
-    const walking::WalkOutput output = trial.walkOutput(command.velocity, command.turn, !is);
-    trial.step(output.angles);
-    speed = Vec3(output.velocity.x(), output.velocity.y(), output.turn);
+    const walking::WalkOutput output = trial.walkStep(command.velocity, command.turn, !is);
+    speed = output.speed();
     if (is && there < 0) there = seconds;
     if (was && !is) ++lost;
     seconds += MotionTrial::dt;

@@ -40,6 +40,8 @@ struct WalkOutput {
   bool standing = true;           ///< both feet on the ground and at rest: another motion may begin
   Vec2 velocity = Vec2::Zero();   ///< present speed, mean over the step [m/s]
   double turn = 0;                ///< [rad/s]
+  /// Both: forward, sideways, turn.
+  Vec3 speed() const { return {velocity.x(), velocity.y(), turn}; }
   /// Joint stiffness (section 4.2.6), 0 .. 1, for robots that have it; all 0 while falling.
   JointArray stiffness = fullStiffness();
   bool falling = false;  ///< cannot be stopped any more (FallGuard); until reset() or at rest upright

@@ -3,19 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/BrakingSpeed.h"
 #include "walking/planning/ReferenceTrajectory.h"
 
 namespace plumbline::walking {
-namespace {
-
-/// Fastest speed over a distance from which steps of `time` can still come to rest at its end: the speed
-/// falls by the same amount in each.
-double brakingSpeed(double distance, double deceleration, double time) {
-  const double loss = deceleration * time;
-  return std::sqrt(loss * loss / 4 + 2 * deceleration * distance) - loss / 2;
-}
-
-}  // namespace
 
 ApproachPlan planApproach(const Pose2& target, const Vec2& velocity, double turn,
                           const WalkParameters& limits, const ApproachTolerance& tolerance,

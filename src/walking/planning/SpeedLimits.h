@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "math/Types.h"
+#include "robot/WalkLimits.h"
 #include "walking/parameters/WalkParameters.h"
 
 namespace plumbline::walking {
@@ -14,6 +15,19 @@ inline Vec3 omniLimits(double forward, const WalkParameters& p) {
   const SpeedParameters& s = p.speed;
   return {forward < 0 ? within(s.omniBackward, s.maxBackward) : within(s.omniForward, s.maxForward),
           within(s.omniSideways, s.maxSideways), within(s.omniTurn, s.maxTurn)};
+}
+
+/// What the walk makes of requests of mixtures, for who plans ahead.
+inline WalkLimits walkLimits(const WalkParameters& p) {
+  const Vec3 forward = omniLimits(1, p);
+  return {.forward = forward.x(),
+          .backward = omniLimits(-1, p).x(),
+          .sideways = forward.y(),
+          .turn = forward.z(),
+          .accelerationForward = p.speed.accelerationForward,
+          .decelerationForward = p.speed.decelerationForward,
+          .accelerationSideways = p.speed.accelerationSideways,
+          .accelerationTurn = p.speed.accelerationTurn};
 }
 
 /// Those of one direction alone.

@@ -15,13 +15,16 @@ TEST(DoublePairTest, eachNumberAsItWouldBeAlone) {
     from[i] = 0.1 * static_cast<double>(i + 1);
     what[i] = 0.7 - 0.3 * static_cast<double>(i);
   }
-  writeDoubles(&to[1],
-               times(less(readDoubles<DoubleEight>(&from[1]), 0.3, readDoubles<DoubleEight>(&what[1])), 1.1));
+  writeDoubles(
+      &to[1],
+      scaled(minusScaled(readDoubles<DoubleEight>(&from[1]), 0.3, readDoubles<DoubleEight>(&what[1])), 1.1));
   EXPECT_EQ(to[0], 0);
-  for (std::size_t i = 1; i < to.size(); ++i) EXPECT_EQ(to[i], times(less(from[i], 0.3, what[i]), 1.1)) << i;
-  writeDoubles(&to[1],
-               times(less(readDoubles<DoublePair>(&what[1]), 0.3, readDoubles<DoublePair>(&from[1])), 1.1));
-  for (std::size_t i = 1; i < 3; ++i) EXPECT_EQ(to[i], times(less(what[i], 0.3, from[i]), 1.1)) << i;
+  for (std::size_t i = 1; i < to.size(); ++i)
+    EXPECT_EQ(to[i], scaled(minusScaled(from[i], 0.3, what[i]), 1.1)) << i;
+  writeDoubles(
+      &to[1],
+      scaled(minusScaled(readDoubles<DoublePair>(&what[1]), 0.3, readDoubles<DoublePair>(&from[1])), 1.1));
+  for (std::size_t i = 1; i < 3; ++i) EXPECT_EQ(to[i], scaled(minusScaled(what[i], 0.3, from[i]), 1.1)) << i;
 }
 
 TEST(DoublePairTest, addsToAsManyAsAreAskedFor) {

@@ -9,6 +9,7 @@
 #include "framework/ConfigurationError.h"
 #include "modules/motion/StandMotion.h"
 #include "simspark/LeagueRobots.h"
+#include "walking/planning/SpeedLimits.h"
 
 namespace plumbline {
 namespace {
@@ -52,7 +53,7 @@ TEST(WalkingEngineTest, walksWhileSelectedAndStopsForOthers) {
   EXPECT_TRUE(output.finished);
   EXPECT_GT(output.targets.angles[lKneePitch], 0.3);
   EXPECT_FALSE(output.targets.set[headYaw]);
-  EXPECT_EQ(output.limits, WalkLimits::of(engine->walk.base.speed));
+  EXPECT_EQ(output.limits, walking::walkLimits(engine->walk.base));
   EXPECT_GT(output.limits.forward, 0.2);
 
   ModuleUnderTest<Stand> stand("StandMotion");

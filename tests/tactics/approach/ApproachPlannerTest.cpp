@@ -7,6 +7,7 @@ using namespace plumbline;
 namespace {
 
 struct ApproachPlannerTest : testing::Test {
+  ApproachPlannerTest() { p.path = {.avoidRadius = 0.26, .stepAngle = 0.25, .behindAngle = 0.53}; }
   WalkCommand plan(const WalkPoint& robot) { return planner.update(robot, ball, beyond, limits, p); }
 
   // Walks as planned, with the planned delay, until the robot rests at its place.
@@ -91,17 +92,19 @@ TEST_F(ApproachPlannerTest, brakesBeforeThePlaceUnlessItLiesBeyond) {
 }
 
 TEST_F(ApproachPlannerTest, theWayCanBeDrawn) {
-  EXPECT_TRUE(planner.way(limits, p).empty()) << "nothing is planned";
-  plan({Pose2(1.2, 0.3, 2)});
+  const WalkPoint robot{Pose2(1.2, 0.3, 2)};
+  const auto drawn = [&] { return planner.way(robot, ball, beyond, limits, p); };
+  EXPECT_TRUE(drawn().empty()) << "nothing is planned";
+  plan(robot);
   EXPECT_TRUE(planner.plans());
-  const std::vector<Pose2> way = planner.way(limits, p);
+  const std::vector<Pose2> way = drawn();
   ASSERT_GT(way.size(), 20U);
   EXPECT_NEAR(way.front().x(), 1.2, 1e-9);
   EXPECT_LT(way.back().position.norm(), 0.03);
   EXPECT_LT(std::abs(way.back().heading), 0.15);
   EXPECT_GT((way[1].position - way[0].position).norm() + std::abs(way[1].heading - way[0].heading), 0);
   planner.leave();
-  EXPECT_TRUE(planner.way(limits, p).empty());
+  EXPECT_TRUE(drawn().empty());
 }
 
 TEST_F(ApproachPlannerTest, theTimeIsTheOneThatTheWayTakes) {

@@ -8,7 +8,7 @@ using namespace plumbline;
 
 namespace {
 
-const BallPathParameters p;
+const BallApproachParameters p{.avoidRadius = 0.26, .stepAngle = 0.25, .behindAngle = 0.53};
 const Vec2 ball(0.2, 0.05);
 
 struct Followed {

@@ -6,6 +6,15 @@ using namespace plumbline;
 
 namespace {
 
+const WalkLimits walk{.forward = 0.6,
+                      .backward = 0.4,
+                      .sideways = 0.3,
+                      .turn = 2,
+                      .accelerationForward = 1,
+                      .decelerationForward = 1,
+                      .accelerationSideways = 0.5,
+                      .accelerationTurn = 8};
+
 struct BallPositioningTest : testing::Test {
   BallPositioningTest() {
     p.toleranceForward = 0.03;
@@ -89,14 +98,7 @@ TEST_F(BallPositioningTest, theLastMetresArePlannedWhereTheWalkIsKnown) {
   const Vec2 behind(-0.5, 0);
   EXPECT_GE(see(behind).velocity.x(), -0.1) << "no faster than it may walk backward";
   EXPECT_EQ(positioning.planner().seconds(), 0);
-  wish.limits = {.forward = 0.6,
-                 .backward = 0.4,
-                 .sideways = 0.3,
-                 .turn = 2,
-                 .accelerationForward = 1,
-                 .decelerationForward = 1,
-                 .accelerationSideways = 0.5,
-                 .accelerationTurn = 8};
+  wish.limits = walk;
   EXPECT_LT(see(behind).velocity.x(), -0.1) << "the robot walks back past the ball";
   EXPECT_GT(positioning.planner().seconds(), 1);
   EXPECT_EQ(see({3, 0}).velocity.x(), p.walk.maxForward) << "far away";
@@ -109,14 +111,7 @@ TEST_F(BallPositioningTest, aSprintGoesOnUntilItIsNearerToTheBall) {
   p.walk.sprintDistance = 0.5;
   p.walk.maxForward = 1.5;
   p.plan.sprintDistance = 1;
-  wish.limits = {.forward = 0.6,
-                 .backward = 0.4,
-                 .sideways = 0.3,
-                 .turn = 2,
-                 .accelerationForward = 1,
-                 .decelerationForward = 1,
-                 .accelerationSideways = 0.5,
-                 .accelerationTurn = 8};
+  wish.limits = walk;
   EXPECT_LT(see({1.5, 0}).velocity.x(), 0.7) << "no sprint so near";
   EXPECT_EQ(see({2.5, 0}).velocity.x(), 1.5);
   EXPECT_EQ(see({1.5, 0}).velocity.x(), 1.5);

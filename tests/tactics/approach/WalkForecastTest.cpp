@@ -56,7 +56,7 @@ TEST(WalkForecast, isWhatTheWalkAimsAt) {
   p.speed.decelerationForward = limits.decelerationForward;
   p.speed.accelerationSideways = limits.accelerationSideways;
   p.speed.accelerationTurn = limits.accelerationTurn;
-  EXPECT_EQ(WalkLimits::of(p.speed), limits);
+  EXPECT_EQ(walking::walkLimits(p), limits);
   walking::SpeedControl control;
   WalkPoint robot;
   const Vec3 requests[] = {{0.6, 0, 0}, {0.5, 0.2, 1},   {-0.3, -0.2, -1.5},
@@ -69,30 +69,6 @@ TEST(WalkForecast, isWhatTheWalkAimsAt) {
       ASSERT_NEAR(robot.speed.y(), control.velocity().y(), 0.03) << request.transpose();
       ASSERT_NEAR(robot.speed.z(), control.turn(), 0.21) << request.transpose();
     }
-}
-
-TEST(WalkForecast, withoutALimitOfMixturesThatOfOneDirectionCounts) {
-  struct {
-    double omniForward = 0, omniBackward = 0.7, omniSideways = 0.2, omniTurn = 0, maxForward = 0.5,
-           maxBackward = 0.4, maxSideways = 0.25, maxTurn = 1.6, accelerationForward = 1,
-           decelerationForward = 2, accelerationSideways = 3, accelerationTurn = 4;
-  } speed;
-  const WalkLimits found = WalkLimits::of(speed);
-  EXPECT_EQ(found.forward, 0.5);
-  EXPECT_EQ(found.backward, 0.4);
-  EXPECT_EQ(found.sideways, 0.2);
-  EXPECT_EQ(found.turn, 1.6);
-  EXPECT_TRUE(found.known());
-  EXPECT_FALSE(WalkLimits().known());
-  EXPECT_FALSE((WalkLimits{.forward = 0.5, .backward = 0.3, .turn = 1}.known())) << "nothing to the side";
-}
-
-TEST(WalkForecast, fromTheBrakingSpeedStepsOfThatTimeEndAtTheDistance) {
-  const double time = 0.2, deceleration = 0.8;
-  double left = 0.5, speed = brakingSpeed(left, deceleration, time);
-  for (; speed > 0; speed -= deceleration * time) left -= speed * time;
-  EXPECT_NEAR(left, 0, 0.02);
-  EXPECT_EQ(brakingSpeed(0, deceleration, time), 0);
 }
 
 }  // namespace
