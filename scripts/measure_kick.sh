@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # What a kick does in games: the whole agent goes to the ball from random places, 1.5 m away and with any heading, and
 # plays this kick. Prints distance and direction from the robot's heading at the beginning of the kick (medians), and
-# scatter and spread (half of the range between the 16th and 84th percentile). Also the contact's time from the file and
-# the mean height of the ball. With --write they become the file's key `kick`.
+# scatter and spread (half of the range between the 16th and 84th percentile). Also the contact's time from the file, the
+# mean height of the ball, the mean distance, and how many go less than half as far as the median. With --write they become the file's key `kick`.
 #   scripts/measure_kick.sh TYPE MOTION [--write]
 # Variables: TRIES [40], SEED of the first [20001], BIN, the folder of programs [bin], CONFIG [config].
 # Examples:
@@ -55,7 +55,7 @@ for ((i = 0; i < tries; ++i)); do
       a = atan2(ey - y0, ex - x0) - h[k]; while (a > 3.14159265) a -= 6.2831853; while (a < -3.14159265) a += 6.2831853
       printf "%.3f %.2f %.3f\n", way, 57.29578 * (side > 0 ? -a : a), top }' "$work/run/track.csv" >> "$work/tries"
 done
-read -r kicked distance direction scatter spread rise < <(awk '
+read -r kicked distance direction scatter spread rise mean short < <(awk '
   function quantile(v, share,   i, j, x, s) {
     for (i = 1; i <= n; ++i) s[i] = v[i]
     for (i = 2; i <= n; ++i) { x = s[i]; for (j = i; j > 1 && s[j - 1] > x; --j) s[j] = s[j - 1]; s[j] = x }
@@ -63,11 +63,13 @@ read -r kicked distance direction scatter spread rise < <(awk '
   { ++n; way[n] = $1; off[n] = $2; height += $3 }
   END { if (n < 5) { print n + 0; exit }
     scatter = (quantile(off, 0.84) - quantile(off, 0.16)) / 2; spread = (quantile(way, 0.84) - quantile(way, 0.16)) / 2
-    printf "%d %.2f %.2f %.1f %.2f %.2f\n", n, quantile(way, 0.5), quantile(off, 0.5), (scatter > 1 ? scatter : 1),
-      (spread > 0.1 ? spread : 0.1), (height / n > 0.06 ? height / n - 0.042 : 0) }' "$work/tries")
+    middle = quantile(way, 0.5)
+    for (i = 1; i <= n; ++i) { sum += way[i]; short += way[i] < middle / 2 }
+    printf "%d %.2f %.2f %.1f %.2f %.2f %.2f %.0f\n", n, middle, quantile(off, 0.5), (scatter > 1 ? scatter : 1),
+      (spread > 0.1 ? spread : 0.1), (height / n > 0.06 ? height / n - 0.042 : 0), sum / n, 100 * short / n }' "$work/tries")
 ((kicked >= 5)) || { echo "measure_kick.sh: $kicked of $tries tries came to a kick" >&2; exit 1; }
 line="kick: {distance: $distance, direction: $direction, contact: ${contact:-0.200}, scatter: $scatter, spread: $spread, rise: $rise}"
-echo "$line  # type $type, $motion: $kicked of $tries tries, seeds from $seed"
+echo "$line  # type $type, $motion: $kicked of $tries tries, seeds from $seed; mean $mean m, $short % go less than half as far as the median"
 [[ ${3-} ]] || exit 0
 sed "s/^kick:.*/$line/" "$file" > "$file.part"
 mv "$file.part" "$file"

@@ -43,6 +43,7 @@ public:
   }
 
   const std::vector<TaskParameter>& parameters() const { return parameters_; }
+  const Group& first() const { return first_; }  ///< as the configuration file has it
 
   /// The group with these values, in the order of parameters().
   Group with(const Eigen::VectorXd& values) const {

@@ -70,11 +70,11 @@ constexpr SearchedPath searchedNumbers[] = {{"walk.maxForward", 0.1},
                                             {"biasDistance", 0.03},
                                             {"maxBias", 0.03}};
 
-/// The option `searched`: the way from afar, the last metres with how exactly the robot stands, or
-/// everything.
+/// The option `searched`: the way from afar, the last metres with how exactly the robot stands, everything,
+/// or the kick's place.
 std::function<bool(const std::string&)> searchedPart(const TaskOptions& options) {
-  const std::string part = options.word("searched", "all", {"all", "far", "near"});
-  if (part == "all") return {};
+  const std::string part = options.word("searched", "all", {"all", "far", "near", "place"});
+  if (part == "all" || part == "place") return {};
   return [far = part == "far"](const std::string& path) {
     return far == (path.starts_with("walk.") || path.starts_with("approach."));
   };
@@ -100,6 +100,9 @@ PositioningTask::PositioningTask(const TaskOptions& options)
   }
   if (!kick_.kick) throw ConfigurationError("option motion: " + name + " is no kick of this robot");
   if (kick_.ball.y() > 0) kick_ = motion::mirrored(kick_);
+  if (options.word("searched", "all") != "place") return;
+  place_.emplace(kick_);
+  first_ = searched_.first();
 }
 
 /// The way to the ball and the kick, cycle by cycle, as the agent's modules do it.
@@ -173,9 +176,10 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
   trial.restarted();
   trial.robot.world().setBall(Vec3(ballPlace.x(), ballPlace.y(), simulation::WorldConfig().field.ballRadius),
                               Vec3::Zero());
-  const BallPositioningParameters p = searched_.with(parameters);
+  const BallPositioningParameters p = place_ ? first_ : searched_.with(parameters);
+  const motion::KeyframeMotion kick = place_ ? place_->written(parameters) : kick_;
   const double x = trial.random(-cameraOffset, cameraOffset), y = trial.random(-cameraOffset, cameraOffset);
-  Walk walk{.trial = trial, .kick = kick_, .p = p, .offset = Vec2(x, y)};
+  Walk walk{.trial = trial, .kick = kick, .p = p, .offset = Vec2(x, y)};
 
   bool ready = false;
   while (!ready && !walk.fell && walk.seconds < limit) ready = walk.step();
@@ -204,6 +208,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
 
 std::string PositioningTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                                   const std::map<std::string, double>&) const {
+  if (place_) return motion::motionFile(place_->written(parameters), worlds_.first().model, heading);
   const GroupedLines lines = searched_.lines(parameters);
   return commentLines(heading) + overlayLine("SkillGetBall.yaml", lines.count) + "\npositioning:\n" +
          lines.text;

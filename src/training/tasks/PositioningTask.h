@@ -1,8 +1,10 @@
 #pragma once
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "motion/KickPlace.h"
 #include "robot/KickEffect.h"
 #include "tactics/approach/BallPositioning.h"
 #include "training/SearchTask.h"
@@ -14,7 +16,8 @@ namespace plumbline::training {
 
 /// Kick positioning (Seekircher 2015, 3.1.2): the robot stands 1.5 m from the ball in any direction with any
 /// heading, walks there and kicks. Searched are numbers of BallPositioningParameters; the file is the type's
-/// SkillGetBall.yaml.
+/// SkillGetBall.yaml. Or searched are the kick's own place of the ball and its direction (motion::KickPlace):
+/// a robot that stops at the ball stands a little off in its own way. The file is then the kick's.
 ///
 /// The cost of a run is formula 3.3 with the opposite sign, in seconds. It is the time to the kick and
 /// `fall` seconds for a fall. To that come `metre` seconds for each metre that the ball comes less far along
@@ -23,12 +26,15 @@ namespace plumbline::training {
 ///
 /// Options: type (0), motion (the farthest kick), distance of the start (1.5) [m], farthest (as start; starts
 /// are drawn up to it) [m], metre (0.5), fall (5), searched, and those of TrialWorlds. searched says which
-/// numbers: all, far (of the way from afar), near (of the last metres, and how exactly it stands).
+/// numbers: all, far (of the way from afar), near (of the last metres, and how exactly it stands), place (of
+/// the kick).
 class PositioningTask : public SearchTask {
 public:
   explicit PositioningTask(const TaskOptions& options);
 
-  const std::vector<TaskParameter>& parameters() const override { return searched_.parameters(); }
+  const std::vector<TaskParameter>& parameters() const override {
+    return place_ ? place_->list() : searched_.parameters();
+  }
   TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
   std::string file(const Eigen::VectorXd& parameters, const std::string& heading,
                    const std::map<std::string, double>& figures) const override;
@@ -42,6 +48,8 @@ private:
   motion::KeyframeMotion kick_;             ///< with the right foot
   double start_, farthest_, metre_, fall_;  ///< options [m, m, s, s]
   SearchedGroup<BallPositioningParameters> searched_;
+  BallPositioningParameters first_;         ///< without a search of them
+  std::optional<motion::KickPlace> place_;  ///< where that is searched
 };
 
 }  // namespace plumbline::training

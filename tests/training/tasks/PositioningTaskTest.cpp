@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <string>
 
 #include "support/SearchTasks.h"
@@ -107,8 +108,28 @@ TEST(PositioningTask, tellsOptionsThatItCannotUse) {
     });
   };
   EXPECT_EQ(with("motion", "wave"), "option motion: wave is no kick of this robot");
-  EXPECT_EQ(with("searched", "nearby"), "option searched: \"nearby\" is not one of all, far, near");
+  EXPECT_EQ(with("searched", "nearby"), "option searched: \"nearby\" is not one of all, far, near, place");
   EXPECT_EQ(with("start", "0.1"), "option start: \"0.1\" is no number from 0.3 to 10");
+}
+
+TEST(PositioningTask, aKicksPlaceIsSearchedAndItsFileWritten) {
+  PositioningTask task(TaskOptions(std::map<std::string, std::string>{
+      {"type", "1"}, {"searched", "place"}, {"start", "0.5"}, {"metre", "1"}}));
+  const Eigen::VectorXd start = startOf(task);
+  ASSERT_EQ(start.size(), 3);
+  Eigen::VectorXd tooFar = start;
+  tooFar[0] += 35;
+  double near = 0, far = 0;
+  for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+    near += figure(task.run(start, seed), "distance");
+    far += figure(task.run(tooFar, seed), "distance");
+  }
+  EXPECT_GT(near, far + 4) << "a ball 35 mm farther ahead is hardly met";
+  tooFar[2] = -4.5;
+  const std::string file = task.file(tooFar, "Found.", {});
+  EXPECT_EQ(file.substr(0, 9), "# Found.\n");
+  EXPECT_NE(file.find("direction: -4.50"), std::string::npos) << file;
+  EXPECT_NE(file.find("\nkeyframes:\n"), std::string::npos);
 }
 
 }  // namespace

@@ -1,0 +1,57 @@
+#include "modules/evaluation/KickEvaluation.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+#include "math/GroundPose.h"
+
+namespace plumbline {
+
+MAKE_MODULE(KickEvaluation)
+
+void KickEvaluation::begin() {
+  if (!out_.is_open()) {
+    const std::filesystem::path path(file);
+    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
+    out_.open(path);
+    if (!out_) throw std::runtime_error("cannot write " + file);
+    out_ << "time,kick,foot,x,y,believedX,believedY,heading,way,direction\n";
+  }
+  const std::string& name = theMotionRequest->kick;
+  const auto& kicks = theSkillKickParameters->kicks;
+  const auto kick = std::ranges::find(kicks, name, &Kick::motion);
+  if (kick == kicks.end()) return;
+  const bool left = theMotionRequest->kickFoot == Side::left;
+  const auto fromPlace = [&](Vec2 ball) {
+    if (left) ball.y() = -ball.y();
+    return Vec2(ball - kick->ballPosition);
+  };
+  const Pose2 robot = groundPose(theGroundTruth->T_field_torso);
+  const Vec2 real = fromPlace(robot.inverse() * ball_), believed = fromPlace(theMotionRequest->kickBall);
+  const double heading = toDegrees(normalizeAngle(theRobotPose->pose.heading - robot.heading));
+  begun_ = {fmt::format("{:.2f},{},{},{:.4f},{:.4f},{:.4f},{:.4f},{:.2f}", theFrameInfo->time, name,
+                        left ? "left" : "right", real.x(), real.y(), believed.x(), believed.y(), heading),
+            theFrameInfo->time, robot, ball_};
+}
+
+void KickEvaluation::finish() {
+  if (!begun_) return;
+  const Vec2 way = ball_ - begun_->ball;
+  const double direction = normalizeAngle(std::atan2(way.y(), way.x()) - begun_->robot.heading);
+  out_ << fmt::format("{},{:.2f},{:.1f}\n", begun_->line, way.norm(), toDegrees(direction)) << std::flush;
+  begun_.reset();
+}
+
+void KickEvaluation::execute() {
+  if (!theGroundTruth->valid) return;
+  ball_ = theGroundTruth->ball.head<2>();
+  const bool starts = theMotionSelection->started && theMotionSelection->motion == Motion::kick;
+  if (begun_ && (starts || theFrameInfo->time - begun_->time > seconds)) finish();
+  if (starts) begin();
+}
+
+}  // namespace plumbline

@@ -1,0 +1,93 @@
+#include "modules/evaluation/KickEvaluation.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "math/Angle.h"
+#include "support/ModuleHarness.h"
+#include "support/ScratchFolder.h"
+#include "support/Thrown.h"
+
+namespace plumbline {
+namespace {
+
+constexpr const char* kickColumns = "time,kick,foot,x,y,believedX,believedY,heading,way,direction\n";
+
+class KickEvaluationTest : public testing::Test {
+protected:
+  KickEvaluationTest() {
+    harness->module().file = folder / "deep/kicks.csv";
+    Kick kick;
+    kick.motion = "kickLong";
+    kick.ballPosition = {0.16, -0.05};
+    harness->input<SkillKickParameters>().kicks = {kick};
+    truth().valid = true;
+    truth().T_field_torso = translation(1, 2, 0.4);
+    truth().ball = Vec3(1.18, 1.94, 0.04);
+    harness->input<RobotPose>().pose = Pose2(1, 2, fromDegrees(3));
+    request().kick = "kickLong";
+    request().kickBall = {0.17, -0.055};
+  }
+  GroundTruth& truth() { return harness->input<GroundTruth>(); }
+  MotionRequest& request() { return harness->input<MotionRequest>(); }
+  void cycle(double time, bool starts = false) {
+    harness->input<FrameInfo>().time = time;
+    MotionSelection& selection = harness->input<MotionSelection>();
+    selection.motion = starts ? Motion::kick : Motion::walk;
+    selection.started = starts;
+    harness->cycle();
+  }
+  std::string written() { return folder.read("deep/kicks.csv"); }
+  test::ScratchFolder folder;
+  std::optional<test::ModuleHarness<KickEvaluation>> harness{std::in_place};
+};
+
+TEST_F(KickEvaluationTest, writesWhereTheBallLayAndHowFarItWent) {
+  cycle(9);
+  cycle(10, true);
+  truth().ball = Vec3(4.18, 4.94, 0.04);
+  cycle(13.9);
+  EXPECT_EQ(written(), "") << "the ball still rolls";
+  cycle(14.1);
+  EXPECT_EQ(written(),
+            std::string(kickColumns) + "10.00,kickLong,right,0.0200,-0.0100,0.0100,-0.0050,3.00,4.24,45.0\n");
+  cycle(20);
+  EXPECT_EQ(std::ranges::count(written(), '\n'), 2) << "one line of each kick";
+}
+
+TEST_F(KickEvaluationTest, theLeftFootsKickIsMirrored) {
+  truth().ball.y() = 2.06;
+  request().kickFoot = Side::left;
+  request().kickBall.y() = 0.055;
+  cycle(10, true);
+  harness.reset();
+  EXPECT_EQ(written(),
+            std::string(kickColumns) + "10.00,kickLong,left,0.0200,-0.0100,0.0100,-0.0050,3.00,0.00,0.0\n")
+      << "what has begun when the agent ends is written";
+}
+
+TEST_F(KickEvaluationTest, theNextKickEndsTheOneBefore) {
+  cycle(10, true);
+  truth().ball.x() = 2.18;
+  cycle(11, true);
+  harness.reset();
+  EXPECT_NE(written().find(",1.00,0.0\n11.00,kickLong,right,1.0200,"), std::string::npos) << written();
+}
+
+TEST_F(KickEvaluationTest, withoutTheTruthNothingIsWritten) {
+  truth().valid = false;
+  cycle(10, true);
+  EXPECT_FALSE(std::filesystem::exists(folder / "deep"));
+}
+
+TEST_F(KickEvaluationTest, aFileThatCannotBeIsAnError) {
+  folder.write("deep/kicks.csv/in", "the way");
+  EXPECT_EQ(thrownBy([&] { cycle(10, true); }), "cannot write " + folder / "deep/kicks.csv");
+}
+
+}  // namespace
+}  // namespace plumbline
