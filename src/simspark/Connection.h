@@ -24,6 +24,9 @@ public:
   /// What ends every wait, e.g. StopSignal::fileDescriptor(); -1: nothing. It is only looked at. Then connect
   /// fails, send closes the connection and receive reports a timeout.
   void interruptBy(int descriptor) { stopDescriptor_ = descriptor; }
+  /// For a client that does not answer each message, as a monitor: what comes is acknowledged at once, also
+  /// after something was sent.
+  void listensOnly() { answers_ = never; }
   int descriptor() const { return fd_; }  ///< to wait for together with others; -1: not connected
   void close();
 
@@ -40,7 +43,7 @@ private:
   Status fail(const std::string& why);
 
   int fd_ = -1, stopDescriptor_ = -1;
-  bool answers_ = false;  ///< something was sent since the last bytes came
+  enum Answers { no, yes, never } answers_ = no;  ///< yes: something was sent since the last bytes came
   FrameReader reader_{maxServerMessage};
   std::string outgoing_, lastError_;
 };

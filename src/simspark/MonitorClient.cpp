@@ -7,6 +7,7 @@ std::string MonitorClient::connect(const std::string& host, int port, const std:
   problem_.clear();
   state_ = SceneState();
   clock_.reset();
+  connection_.listensOnly();
   if (std::string error = connection_.connect(host, port, timeoutSeconds); !error.empty()) return error;
   if (!token.empty()) connection_.send("(token " + token + ")");
   return {};

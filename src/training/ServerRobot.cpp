@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 #include "field/FieldSize.h"
 #include "robot/LegKinematics.h"
@@ -15,7 +16,9 @@
 namespace plumbline::training {
 namespace {
 
-constexpr double patience = 10;  // [s]
+constexpr double patience = 10;      // [s]
+constexpr double takesTurns = 0.002;  // of waiting for two connections [s]
+const std::string goOn = "(syn)";
 constexpr const char* startFirst = "; start bin/simulator --sync or the league's server first";
 constexpr long maxUnseen = 4;      // cycles without a scene before one is waited for
 constexpr double maxTime = 65536;  // s: from there on the league's clock tells 0.01 s no more
@@ -90,13 +93,16 @@ ServerRobot::ServerRobot(int type, const ServerAddress& address)
 }
 
 void ServerRobot::join() {
-  agent_.close();
+  leaving_ = std::move(agent_);
+  agent_ = {};
   if (const std::string why = agent_.connect(address_.host, address_.agentPort); !why.empty())
     throw std::runtime_error(why + startFirst);
   message_ = {};
+  if (leaving_.connected()) leaving_.send(goOn);
   simspark::AgentCommand scene, init;
   scene.scene = simspark::SceneRequest{.type = type_};
   exchange(scene);
+  leaving_.close();
   init.init = simspark::InitRequest{0, "Plumbline"};
   exchange(init);
   for (int i = 0; i < 20 && !message_.gameState.unum; ++i) exchange({});
@@ -115,12 +121,23 @@ std::runtime_error ServerRobot::failure(const std::string& what) const {
   return std::runtime_error("the server at " + address_.text() + ' ' + what);
 }
 
+simspark::Connection::Status ServerRobot::receive(std::string_view& text) {
+  using Status = simspark::Connection::Status;
+  if (!leaving_.connected()) return agent_.receive(text, patience);
+  for (double waited = 0; waited < patience; waited += takesTurns) {
+    std::string_view ignored;
+    if (leaving_.receive(ignored, 0) == Status::message) leaving_.send(goOn);
+    if (const Status status = agent_.receive(text, takesTurns); status != Status::timeout) return status;
+  }
+  return Status::timeout;
+}
+
 void ServerRobot::exchange(simspark::AgentCommand command) {
   command.syn = true;
   if (!agent_.send(simspark::writeAgentCommand(command))) throw failure("went away: " + agent_.error());
   std::string_view text;
   const double before = message_.time;
-  switch (agent_.receive(text, patience)) {
+  switch (receive(text)) {
     case simspark::Connection::Status::message:
       break;
     case simspark::Connection::Status::timeout:

@@ -2,6 +2,7 @@
 #include <mutex>
 #include <stdexcept>
 #include <string>
+#include <string_view>
 
 #include "math/Pose2.h"
 #include "math/TorsoAngleFilter.h"
@@ -55,10 +56,13 @@ public:
   void putBall(const Vec2& place);
 
 private:
-  /// Comes to the server as a new robot.
+  /// Comes to the server as a new robot. The one before leaves when the new one is there: a server without
+  /// any agent sits still for two seconds.
   void join();
   /// Answers with a command and takes in what comes of it.
   void exchange(simspark::AgentCommand command);
+  /// Waits for the robot's next message, and answers for the one that is leaving.
+  simspark::Connection::Status receive(std::string_view& text);
   /// Takes in the scenes that came.
   void follow();
   /// Puts it upright with its torso so high over a place [m].
@@ -69,7 +73,7 @@ private:
   const ServerAddress address_;
   const std::unique_lock<std::mutex> alone_;  ///< among those of this server
   RobotModel model_;
-  simspark::Connection agent_;
+  simspark::Connection agent_, leaving_;
   simspark::MonitorClient trainer_;
   simspark::ServerMessage message_;
   simulation::RobotReadings readings_;

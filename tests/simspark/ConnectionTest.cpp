@@ -9,6 +9,7 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
 #include <thread>
 
 namespace plumbline::simspark {
@@ -70,6 +71,27 @@ TEST_F(DeafServer, doesNotHoldUpTheStop) {
   connection.interruptBy(stop);
   std::string_view message;
   EXPECT_EQ(connection.receive(message, 3600), Connection::Status::timeout);
+}
+
+TEST_F(DeafServer, whoListensOnlyIsNotKeptWaitingByWhatItSaid) {
+  // The league's server writes the second of two small messages only when the first is acknowledged.
+  Connection monitor;
+  monitor.listensOnly();
+  ASSERT_EQ(monitor.connect("127.0.0.1", port), "");
+  const int server = accept(listener, nullptr, nullptr);
+  const std::string frame("\0\0\0\1x", 5);
+  const auto begin = std::chrono::steady_clock::now();
+  for (int i = 0; i < 25; ++i) {
+    ASSERT_TRUE(monitor.send("(kickOff Left)"));
+    for (int k = 0; k < 3; ++k) {
+      ASSERT_EQ(send(server, frame.data(), frame.size(), 0), 5);
+      std::string_view message;
+      ASSERT_EQ(monitor.receive(message, 10), Connection::Status::message);
+    }
+  }
+  // Kept waiting 40 ms each time it would take a second.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(700));
+  close(server);
 }
 
 }  // namespace
