@@ -16,7 +16,7 @@
 namespace plumbline::training {
 namespace {
 
-constexpr double patience = 10;      // [s]
+constexpr double patience = 10;       // [s]
 constexpr double takesTurns = 0.002;  // of waiting for two connections [s]
 const std::string goOn = "(syn)";
 constexpr const char* startFirst = "; start bin/simulator --sync or the league's server first";

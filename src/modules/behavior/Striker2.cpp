@@ -22,13 +22,15 @@ void Striker2::draw(const StrikerSituation& situation) const {
     drawing.text(action_.end, fmt::format("{} {:.2f}", kicks ? "kick" : "dribble", action_.value),
                  colours::white);
   });
-  // What a ball is worth that is nobody's: green ours, red theirs.
+  // What a ball is worth that is nobody's, by squares of a metre: green ours, red theirs.
   DEBUG_DRAWING("draw:Striker2:value", {
-    constexpr double side = 1, most = 0.6;
-    for (double x = -situation.halfLength; x < situation.halfLength; x += side)
-      for (double y = -situation.halfWidth; y < situation.halfWidth; y += side) {
-        const double worth = value_->at({{x + side / 2, y + side / 2}, 0});
-        drawing.polygon({Vec2(x, y), Vec2(x + side, y), Vec2(x + side, y + side), Vec2(x, y + side)},
+    constexpr double most = 0.6;
+    const int ahead = static_cast<int>(std::ceil(situation.halfLength)),
+              aside = static_cast<int>(std::ceil(situation.halfWidth));
+    for (int x = -ahead; x < ahead; ++x)
+      for (int y = -aside; y < aside; ++y) {
+        const double worth = value_->at({{x + 0.5, y + 0.5}, 0});
+        drawing.polygon({Vec2(x, y), Vec2(x + 1, y), Vec2(x + 1, y + 1), Vec2(x, y + 1)},
                         colours::faint(worth > 0 ? colours::green : colours::red, most * std::abs(worth)));
       }
   });
