@@ -15,9 +15,10 @@ MAKE_MODULE(KickEvaluation)
 
 void KickEvaluation::begin() {
   if (!out_.is_open()) {
-    const std::filesystem::path path(file);
-    if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-    out_.open(path);
+    std::filesystem::create_directories(folder);
+    const std::string file = fmt::format("{}/{}-{}.csv", folder, thePlayerInfo->leftSide ? "left" : "right",
+                                         thePlayerInfo->number);
+    out_.open(file);
     if (!out_) throw std::runtime_error("cannot write " + file);
     out_ << "time,kick,foot,x,y,believedX,believedY,heading,way,direction\n";
   }

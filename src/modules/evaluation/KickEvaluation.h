@@ -7,6 +7,7 @@
 #include "math/Pose2.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GroundTruth.h"
+#include "representations/infrastructure/PlayerInfo.h"
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/motion/MotionRequest.h"
@@ -17,18 +18,20 @@ namespace plumbline {
 
 MODULE(KickEvaluation)
   REQUIRES(FrameInfo)
+  REQUIRES(PlayerInfo)
   REQUIRES(GroundTruth)
   REQUIRES(RobotPose)
   REQUIRES(BallPos)
   REQUIRES(SkillKickParameters)
   REQUIRES(MotionRequest)
   REQUIRES(MotionSelection)
-  PARAMETER(std::string, file, "build/run/kicks.csv", "", Range(), "a line for each kick")
+  PARAMETER(std::string, folder, "build/run/kicks", "", Range(),
+            "a file of each player, a line for each kick")
   PARAMETER(double, seconds, 4, "s", Range(0.1, 60), "after which the ball's way is measured")
 END_MODULE
 
 /// Writes for each kick where the ball lay when it began, truly and as the robot believed, relative to where
-/// the kick wants it, and how far the ball went. Only where modules.cfg asks for it.
+/// the kick wants it, and how far the ball went. Only where modules.cfg asks for it. Files: left-5.csv.
 ///
 /// Columns: time [s], kick and foot. x, y: where the ball was, in the robot's ground frame, from the kick's
 /// place on [m]. y is to the left for a right foot and to the right for a left one. believedX, believedY: the

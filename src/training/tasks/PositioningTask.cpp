@@ -100,9 +100,7 @@ PositioningTask::PositioningTask(const TaskOptions& options)
   }
   if (!kick_.kick) throw ConfigurationError("option motion: " + name + " is no kick of this robot");
   if (kick_.ball.y() > 0) kick_ = motion::mirrored(kick_);
-  if (options.word("searched", "all") != "place") return;
-  place_.emplace(kick_);
-  first_ = searched_.first();
+  if (options.word("searched", "all") == "place") place_.emplace(kick_);
 }
 
 /// The way to the ball and the kick, cycle by cycle, as the agent's modules do it.
@@ -176,7 +174,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
   trial.restarted();
   trial.robot.world().setBall(Vec3(ballPlace.x(), ballPlace.y(), simulation::WorldConfig().field.ballRadius),
                               Vec3::Zero());
-  const BallPositioningParameters p = place_ ? first_ : searched_.with(parameters);
+  const BallPositioningParameters p = place_ ? searched_.first() : searched_.with(parameters);
   const motion::KeyframeMotion kick = place_ ? place_->written(parameters) : kick_;
   const double x = trial.random(-cameraOffset, cameraOffset), y = trial.random(-cameraOffset, cameraOffset);
   Walk walk{.trial = trial, .kick = kick, .p = p, .offset = Vec2(x, y)};

@@ -48,7 +48,6 @@ private:
   motion::KeyframeMotion kick_;             ///< with the right foot
   double start_, farthest_, metre_, fall_;  ///< options [m, m, s, s]
   SearchedGroup<BallPositioningParameters> searched_;
-  BallPositioningParameters first_;         ///< without a search of them
   std::optional<motion::KickPlace> place_;  ///< where that is searched
 };
 

@@ -61,7 +61,7 @@ if [[ ${OTHER-} ]]; then
   echo "$games games of 2 x $half s against OTHER, $players on each side, seeds from $seed, $jobs at once, server $server"
   echo "Other $other" > "$work/opponents"
   play "bin/start.sh --players $players"
-  awk -v half="$half" -v players="$players" -v other="${OTHER_NAME-}" -v server="$server" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
+  awk -v half="$half" -v players="$players" -v other="${OTHER_NAME-}" -v server="$server" -v played="$(date -u +%F)" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
   cat "$out.md"
   [[ ${OTHER_NAME-} ]] || exit 0
   peers=${out%/*}/games-peers

@@ -26,8 +26,8 @@ END {
   if (!teams) { print "no game came to its end" > "/dev/stderr"; exit 1 }
   league = server == "rcssserver3d"
   print players ? "## The team against " (other != "" ? other : "another one") (league ? ", on the league's server" : "") "\n" : "## The team against the players of before it\n"
-  printf "%sames of 2 x %s s, %s on %s, sides changed from game to game, seeds %s to %s; means of a game with their 95 %% intervals.", \
-    (players ? "G" : "Whole g"), half, (players ? players " against " players : "eleven against eleven"), (league ? "the league's server (rcssserver3d)" : "the embedded simulator"), first, last
+  printf "%sames of 2 x %s s, %s on %s, sides changed from game to game, seeds %s to %s%s; means of a game with their 95 %% intervals.", \
+    (players ? "G" : "Whole g"), half, (players ? players " against " players : "eleven against eleven"), (league ? "the league's server (rcssserver3d)" : "the embedded simulator"), first, last, (played ? ", played on " played : "")
   print (players ? "" : " Swarm: every player for itself, all to the ball (`config/platforms/simspark/swarm.cfg`).") "\n"
   printf "| |"; for (t = 1; t <= teams; ++t) printf " %s |", order[t]; print ""
   printf "|---|"; for (t = 1; t <= teams; ++t) printf "---|"; print ""

@@ -20,7 +20,8 @@ constexpr const char* kickColumns = "time,kick,foot,x,y,believedX,believedY,head
 class KickEvaluationTest : public testing::Test {
 protected:
   KickEvaluationTest() {
-    harness->module().file = folder / "deep/kicks.csv";
+    harness->module().folder = folder / "deep";
+    harness->input<PlayerInfo>().number = 5;
     Kick kick;
     kick.motion = "kickLong";
     kick.ballPosition = {0.16, -0.05};
@@ -41,7 +42,7 @@ protected:
     selection.started = starts;
     harness->cycle();
   }
-  std::string written() { return folder.read("deep/kicks.csv"); }
+  std::string written() { return folder.read("deep/left-5.csv"); }
   test::ScratchFolder folder;
   std::optional<test::ModuleHarness<KickEvaluation>> harness{std::in_place};
 };
@@ -85,8 +86,8 @@ TEST_F(KickEvaluationTest, withoutTheTruthNothingIsWritten) {
 }
 
 TEST_F(KickEvaluationTest, aFileThatCannotBeIsAnError) {
-  folder.write("deep/kicks.csv/in", "the way");
-  EXPECT_EQ(thrownBy([&] { cycle(10, true); }), "cannot write " + folder / "deep/kicks.csv");
+  folder.write("deep/left-5.csv/in", "the way");
+  EXPECT_EQ(thrownBy([&] { cycle(10, true); }), "cannot write " + folder / "deep/left-5.csv");
 }
 
 }  // namespace
