@@ -1,8 +1,10 @@
 #!/usr/bin/env bash
 # What a kick does in games: the whole agent goes to the ball from random places, 1.5 m away and with any heading, and
-# plays this kick. Prints distance and direction from the robot's heading at the beginning of the kick (medians), and
-# scatter and spread (half of the range between the 16th and 84th percentile). Also the contact's time from the file, the
-# mean height of the ball, the mean distance, and how many go less than half as far as the median. With --write they become the file's key `kick`.
+# plays this kick. Prints distance and direction (medians), and scatter and spread (half of the range between the 16th and
+# 84th percentile). The direction is the one with which the ball goes where the agent aims: the file's, and how far the
+# ball went to the left of the goal, since the robot's heading is a little off, too, when it kicks. Also the contact's time
+# from the file, the mean height of the ball, the mean distance, and how many go less than half as far as the median. With
+# --write they become the file's key `kick`.
 #   scripts/measure_kick.sh TYPE MOTION [--write]
 # Variables: TRIES [40], SEED of the first [20001], BIN, the folder of programs [bin], CONFIG [config].
 # Examples:
@@ -23,6 +25,7 @@ for value in "$tries" "$seed"; do
 done
 file=$config/robots/type$type/motions/$motion.yaml
 [[ -f $file ]] || file=$config/motions/$motion.yaml
+direction=$(sed -n 's/^kick:.*direction: \(-\?[0-9.]*\).*/\1/p' "$file" 2> /dev/null) || true
 contact=$(sed -n 's/^kick:.*contact: \([0-9.]*\).*/\1/p' "$file" 2> /dev/null) || true
 grep -q '^kick:' "$file" 2> /dev/null || fail "type $type has no kick '$motion'"
 
@@ -41,7 +44,7 @@ for ((i = 0; i < tries; ++i)); do
   playSetStart "$type" $((seed + i)) 30 "-6 0 $x $y" "$x $y $heading"
   # time,x,y,heading,up,ballX,ballY,ballZ,mode. The ball was met where it is faster than 1 m/s; the robot stood as it was `contact`
   # before. It has come to rest, or is reached again, by the time that the robot is half a metre from it.
-  awk -F, -v contact="${contact:-0.2}" '
+  awk -F, -v contact="${contact:-0.2}" -v known="${direction:-0}" '
     NR == 1 || $9 == "BeforeKickOff" { next }
     { n = NR; at[n] = $1; x[n] = $2; y[n] = $3; h[n] = $4; d = sqrt(($6 - $2) ^ 2 + ($7 - $3) ^ 2) }
     t != "" && !kicked && $1 > t && sqrt(($6 - bx) ^ 2 + ($7 - by) ^ 2) / ($1 - t) > 1 {
@@ -52,8 +55,8 @@ for ((i = 0; i < tries; ++i)); do
     { t = $1; bx = $6; by = $7 }
     END { if (!kicked) exit
       side = -sin(h[k]) * (x0 - x[k]) + cos(h[k]) * (y0 - y[k]); way = sqrt((ex - x0) ^ 2 + (ey - y0) ^ 2)
-      a = atan2(ey - y0, ex - x0) - h[k]; while (a > 3.14159265) a -= 6.2831853; while (a < -3.14159265) a += 6.2831853
-      printf "%.3f %.2f %.3f\n", way, 57.29578 * (side > 0 ? -a : a), top }' "$work/run/track.csv" >> "$work/tries"
+      a = atan2(ey - y0, ex - x0) - atan2(0 - y0, 15 - x0); while (a > 3.14159265) a -= 6.2831853; while (a < -3.14159265) a += 6.2831853
+      printf "%.3f %.2f %.3f\n", way, known + 57.29578 * (side > 0 ? -a : a), top }' "$work/run/track.csv" >> "$work/tries"
 done
 read -r kicked distance direction scatter spread rise mean short < <(awk '
   function quantile(v, share,   i, j, x, s) {

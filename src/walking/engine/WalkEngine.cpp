@@ -19,11 +19,12 @@
 #include "walking/planning/SpeedControl.h"
 #include "walking/planning/StepPlanner.h"
 #include "walking/planning/SwingTrajectory.h"
+#include "walking/planning/TurnToStop.h"
 
 namespace plumbline::walking {
 namespace {
 enum class Mode { stand, start, walk };
-}
+}  // namespace
 
 class WalkEngine::Implementation {
 public:
@@ -60,7 +61,6 @@ public:
   }
 
   void forget() { scale_ = {}; }
-
   const WalkOutput& stand() const { return standing_; }
   WalkPlan plan() const { return {landing_, body_.torsoOnGround()}; }
 
@@ -151,7 +151,7 @@ private:
     const Vec2 goal = request.walk ? request.velocity : Vec2(Vec2::Zero());
     if (mode_ == Mode::stand) speed_.begin(goal, p);
     const double calm = std::clamp(1 - p.feedback.tiltBrake * tilt_.excess.norm(), 0.0, 1.0);
-    speed_.update(goal, request.walk ? request.turn : 0, p, calm, dt);
+    speed_.update(goal, stop_.turn(request.turn, request.walk, p, dt), p, calm, dt);
     useGait();
     aim();
   }
@@ -343,7 +343,8 @@ private:
 
   Mode mode_ = Mode::stand;
   SpeedControl speed_;  ///< that the walk aims at now
-  SpeedScale scale_;    ///< of the robot: stays when the walk is reset
+  TurnToStop stop_;
+  SpeedScale scale_;  ///< of the robot: stays when the walk is reset
   TorsoTilt tilt_;
   SupportSwitch contact_;
   FallGuard fall_;
@@ -379,7 +380,6 @@ void WalkEngine::setGaits(const WalkGaits& gaits) {
 
 void WalkEngine::reset() { engine_->reset(); }
 void WalkEngine::forget() { engine_->forget(); }
-
 WalkOutput WalkEngine::stand() const { return engine_->stand(); }
 
 const WalkState& WalkEngine::state() const { return engine_->state; }

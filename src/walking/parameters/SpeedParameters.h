@@ -55,6 +55,9 @@ struct StartStopParameters {
             "speed forward or backward of the first step, if the request is at least this")
   PARAMETER(double, stopVelocity, 0.05, "m/s", Range(0.001, 0.5),
             "both feet carry again only below this forward velocity")
+  PARAMETER(
+      double, turn, 2, "rad/s", Range(0, 6),
+      "until then, but for 0.5 s at most, a robot that is to stop still turns as requested, at most so fast")
   PARAMETER(double, calmRate, 6, "1/s", Range(0.5, 50),
             "on both feet the mass is to move to the middle with this velocity per metre")
   PARAMETER(double, calmTime, 0.15, "s", Range(0.02, 1), "and to have this velocity so soon")

@@ -103,6 +103,23 @@ TEST(WalkEngine, stopsWithFeetSideBySide) {
   EXPECT_LT(loop.engine.state().velocity.norm(), 0.02);
 }
 
+TEST(WalkEngine, turnsAsRequestedWhileItStopsAndStopsAllTheSame) {
+  double turned[2];
+  for (const int turns : {0, 1}) {
+    OpenLoop loop;
+    loop.run(walk(0.1, 0, 0), 2);
+    loop.odometry = {};
+    WalkRequest stop;
+    stop.turn = turns;
+    loop.run(stop, 2.5);
+    EXPECT_TRUE(loop.output.standing) << turns;
+    turned[turns] = loop.odometry.heading;
+  }
+  EXPECT_NEAR(turned[0], 0, 0.02);
+  EXPECT_GT(turned[1], 0.1);
+  EXPECT_LT(turned[1], 0.6) << "at 1 rad/s for half a second";
+}
+
 TEST(WalkEngine, requestsBeyondTheLimitsAreScaledDown) {
   OpenLoop loop;
   const WalkParameters parameters;
