@@ -71,7 +71,7 @@ read -r kicked distance direction scatter spread rise mean short < <(awk '
     printf "%d %.2f %.2f %.1f %.2f %.2f %.2f %.0f\n", n, middle, quantile(off, 0.5), (scatter > 1 ? scatter : 1),
       (spread > 0.1 ? spread : 0.1), (height / n > 0.06 ? height / n - 0.042 : 0), sum / n, 100 * short / n }' "$work/tries")
 ((kicked >= 5)) || { echo "measure_kick.sh: $kicked of $tries tries came to a kick" >&2; exit 1; }
-line="kick: {distance: $distance, direction: $direction, contact: ${contact:-0.200}, scatter: $scatter, spread: $spread, rise: $rise}"
+line="kick: {distance: $distance, direction: $direction${contact:+, contact: $contact}, scatter: $scatter, spread: $spread, rise: $rise}"
 echo "$line  # type $type, $motion: $kicked of $tries tries, seeds from $seed; mean $mean m, $short % go less than half as far as the median"
 [[ ${3-} ]] || exit 0
 sed "s/^kick:.*/$line/" "$file" > "$file.part"

@@ -26,7 +26,7 @@ public:
   void interruptBy(int descriptor) { stopDescriptor_ = descriptor; }
   /// For a client that does not answer each message, as a monitor: what comes is acknowledged at once, also
   /// after something was sent.
-  void listensOnly() { answers_ = never; }
+  void listensOnly() { answers_ = Answers::never; }
   int descriptor() const { return fd_; }  ///< to wait for together with others; -1: not connected
   void close();
 
@@ -40,10 +40,13 @@ public:
   const std::string& error() const { return lastError_; }
 
 private:
+  /// Whether what came is answered, which acknowledges it. yes: something was sent since the last bytes came.
+  enum class Answers { no, yes, never };
+
   Status fail(const std::string& why);
 
   int fd_ = -1, stopDescriptor_ = -1;
-  enum Answers { no, yes, never } answers_ = no;  ///< yes: something was sent since the last bytes came
+  Answers answers_ = Answers::no;
   FrameReader reader_{maxServerMessage};
   std::string outgoing_, lastError_;
 };

@@ -16,9 +16,9 @@
 namespace plumbline::training {
 namespace {
 
-constexpr double patience = 10;       // [s]
-constexpr double takesTurns = 0.002;  // of waiting for two connections [s]
-const std::string goOn = "(syn)";
+constexpr double patience = 10;      // [s]
+constexpr double lookEvery = 0.002;  // at the connection that is being left, too [s]
+constexpr const char* onlySyn = "(syn)";
 constexpr const char* startFirst = "; start bin/simulator --sync or the league's server first";
 constexpr long maxUnseen = 4;      // cycles without a scene before one is waited for
 constexpr double maxTime = 65536;  // s: from there on the league's clock tells 0.01 s no more
@@ -98,7 +98,7 @@ void ServerRobot::join() {
   if (const std::string why = agent_.connect(address_.host, address_.agentPort); !why.empty())
     throw std::runtime_error(why + startFirst);
   message_ = {};
-  if (leaving_.connected()) leaving_.send(goOn);
+  if (leaving_.connected()) leaving_.send(onlySyn);
   simspark::AgentCommand scene, init;
   scene.scene = simspark::SceneRequest{.type = type_};
   exchange(scene);
@@ -124,10 +124,10 @@ std::runtime_error ServerRobot::failure(const std::string& what) const {
 simspark::Connection::Status ServerRobot::receive(std::string_view& text) {
   using Status = simspark::Connection::Status;
   if (!leaving_.connected()) return agent_.receive(text, patience);
-  for (double waited = 0; waited < patience; waited += takesTurns) {
+  for (double waited = 0; waited < patience; waited += lookEvery) {
     std::string_view ignored;
-    if (leaving_.receive(ignored, 0) == Status::message) leaving_.send(goOn);
-    if (const Status status = agent_.receive(text, takesTurns); status != Status::timeout) return status;
+    if (leaving_.receive(ignored, 0) == Status::message) leaving_.send(onlySyn);
+    if (const Status status = agent_.receive(text, lookEvery); status != Status::timeout) return status;
   }
   return Status::timeout;
 }

@@ -73,7 +73,8 @@ private:
   const ServerAddress address_;
   const std::unique_lock<std::mutex> alone_;  ///< among those of this server
   RobotModel model_;
-  simspark::Connection agent_, leaving_;
+  simspark::Connection agent_;
+  simspark::Connection leaving_;  ///< of the robot before, while a new one joins
   simspark::MonitorClient trainer_;
   simspark::ServerMessage message_;
   simulation::RobotReadings readings_;

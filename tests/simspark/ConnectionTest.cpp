@@ -81,7 +81,7 @@ TEST_F(DeafServer, whoListensOnlyIsNotKeptWaitingByWhatItSaid) {
   const int server = accept(listener, nullptr, nullptr);
   const std::string frame("\0\0\0\1x", 5);
   const auto begin = std::chrono::steady_clock::now();
-  for (int i = 0; i < 25; ++i) {
+  for (int i = 0; i < 250; ++i) {
     ASSERT_TRUE(monitor.send("(kickOff Left)"));
     for (int k = 0; k < 3; ++k) {
       ASSERT_EQ(send(server, frame.data(), frame.size(), 0), 5);
@@ -89,8 +89,8 @@ TEST_F(DeafServer, whoListensOnlyIsNotKeptWaitingByWhatItSaid) {
       ASSERT_EQ(monitor.receive(message, 10), Connection::Status::message);
     }
   }
-  // Kept waiting 40 ms each time it would take a second.
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::milliseconds(700));
+  // Kept waiting 40 ms each time it would take ten seconds.
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
   close(server);
 }
 

@@ -4,24 +4,17 @@
 
 #include <algorithm>
 #include <cmath>
-#include <filesystem>
-#include <stdexcept>
 
 #include "math/GroundPose.h"
+#include "modules/evaluation/PlayerFile.h"
 
 namespace plumbline {
 
 MAKE_MODULE(KickEvaluation)
 
 void KickEvaluation::begin() {
-  if (!out_.is_open()) {
-    std::filesystem::create_directories(folder);
-    const std::string file = fmt::format("{}/{}-{}.csv", folder, thePlayerInfo->leftSide ? "left" : "right",
-                                         thePlayerInfo->number);
-    out_.open(file);
-    if (!out_) throw std::runtime_error("cannot write " + file);
-    out_ << "time,kick,foot,x,y,believedX,believedY,heading,way,direction\n";
-  }
+  openPlayerFile(out_, folder, *thePlayerInfo,
+                 "time,kick,foot,x,y,believedX,believedY,heading,way,direction");
   const std::string& name = theMotionRequest->kick;
   const auto& kicks = theSkillKickParameters->kicks;
   const auto kick = std::ranges::find(kicks, name, &Kick::motion);

@@ -8,7 +8,6 @@
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GroundTruth.h"
 #include "representations/infrastructure/PlayerInfo.h"
-#include "representations/modeling/BallPos.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/motion/MotionRequest.h"
 #include "representations/motion/MotionSelection.h"
@@ -21,7 +20,6 @@ MODULE(KickEvaluation)
   REQUIRES(PlayerInfo)
   REQUIRES(GroundTruth)
   REQUIRES(RobotPose)
-  REQUIRES(BallPos)
   REQUIRES(SkillKickParameters)
   REQUIRES(MotionRequest)
   REQUIRES(MotionSelection)

@@ -3,8 +3,8 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <filesystem>
-#include <stdexcept>
+
+#include "modules/evaluation/PlayerFile.h"
 
 namespace plumbline {
 
@@ -29,14 +29,7 @@ void OthersEvaluation::execute() {
   before_ = time;
   if (!runs || time < next_ || thePlayerInfo->number < 1 || !theRobotPose->valid) return;
   next_ = (std::floor(time / interval) + 1) * interval;
-  if (!out_.is_open()) {
-    std::filesystem::create_directories(folder);
-    const std::string file = fmt::format("{}/{}-{}.csv", folder, thePlayerInfo->leftSide ? "left" : "right",
-                                         thePlayerInfo->number);
-    out_.open(file);
-    if (!out_) throw std::runtime_error("cannot write " + file);
-    out_ << "time,belief,what,number,x,y,deviation,distance,age\n";
-  }
+  openPlayerFile(out_, folder, *thePlayerInfo, "time,belief,what,number,x,y,deviation,distance,age");
   const LocalBallPos& ball = *theLocalBallPos;
   if (ball.valid)
     write("alone", "ball", 0, theRobotPose->pose * ball.position, ball.deviation,

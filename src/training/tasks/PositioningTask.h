@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "motion/KickPlace.h"
+#include "motion/SearchedKickPlace.h"
 #include "robot/KickEffect.h"
 #include "tactics/approach/BallPositioning.h"
 #include "training/SearchTask.h"
@@ -16,8 +16,9 @@ namespace plumbline::training {
 
 /// Kick positioning (Seekircher 2015, 3.1.2): the robot stands 1.5 m from the ball in any direction with any
 /// heading, walks there and kicks. Searched are numbers of BallPositioningParameters; the file is the type's
-/// SkillGetBall.yaml. Or searched are the kick's own place of the ball and its direction (motion::KickPlace):
-/// a robot that stops at the ball stands a little off in its own way. The file is then the kick's.
+/// SkillGetBall.yaml. Or searched are the kick's own place of the ball and its direction
+/// (motion::SearchedKickPlace): a robot that stops at the ball stands a little off in its own way. The file
+/// is then the kick's.
 ///
 /// The cost of a run is formula 3.3 with the opposite sign, in seconds. It is the time to the kick and
 /// `fall` seconds for a fall. To that come `metre` seconds for each metre that the ball comes less far along
@@ -48,7 +49,7 @@ private:
   motion::KeyframeMotion kick_;             ///< with the right foot
   double start_, farthest_, metre_, fall_;  ///< options [m, m, s, s]
   SearchedGroup<BallPositioningParameters> searched_;
-  std::optional<motion::KickPlace> place_;  ///< where that is searched
+  std::optional<motion::SearchedKickPlace> place_;  ///< where that is searched
 };
 
 }  // namespace plumbline::training

@@ -22,9 +22,6 @@
 #include "walking/planning/TurnToStop.h"
 
 namespace plumbline::walking {
-namespace {
-enum class Mode { stand, start, walk };
-}  // namespace
 
 class WalkEngine::Implementation {
 public:
@@ -40,6 +37,7 @@ public:
 
   void reset() {
     speed_.reset();
+    stop_ = {};
     elapsed_ = phase_ = 0;
     useGait();
     mode_ = Mode::stand;
@@ -61,6 +59,7 @@ public:
   }
 
   void forget() { scale_ = {}; }
+
   const WalkOutput& stand() const { return standing_; }
   WalkPlan plan() const { return {landing_, body_.torsoOnGround()}; }
 
@@ -79,8 +78,8 @@ public:
     // At rest the velocity's noise is no motion.
     std::optional<Pose2> observed;
     if (sensors.feet && !(mode_ == Mode::stand && atRest())) observed = loop.observed().torsoMotion();
-    const bool walks = mode_ == Mode::walk;
-    return output(odometry_.update(motion_, body_.torsoOnGround(), walks, p, sensors.dt, observed));
+    return output(
+        odometry_.update(motion_, body_.torsoOnGround(), mode_ == Mode::walk, p, sensors.dt, observed));
   }
 
   WalkOutput output(const Pose2& moved) const {
@@ -115,6 +114,8 @@ public:
   ModelParameters fit, prediction;
 
 private:
+  enum class Mode { stand, start, walk };
+
   /// A request for a target becomes one for a velocity or, there, for a stop or the kick.
   WalkRequest withTarget(WalkRequest request) {
     if (!request.kick) kick_ = {};
@@ -134,15 +135,15 @@ private:
     return request;
   }
 
-  Vec3 aimed() const { return {speed_.velocity().x(), speed_.velocity().y(), speed_.turn()}; }
-
   /// What is planned so that the robot walks at its own speed.
   Vec3 planned() const {
-    return scale_.planned(aimed()) + Vec3(p.speed.trimForward + p.speed.brakeLead * speed_.braking(), 0, 0);
+    return scale_.planned(speed_.all()) +
+           Vec3(p.speed.trimForward + p.speed.brakeLead * speed_.braking(), 0, 0);
   }
 
   /// Draws the speed walked to the request and finds the walk of it.
   void follow(const WalkRequest& request, double dt) {
+    const double turn = stop_.turn(request.turn, request.walk, p, dt);
     if (mode_ == Mode::stand && !request.walk) {
       speed_.reset();
       useGait();
@@ -151,7 +152,7 @@ private:
     const Vec2 goal = request.walk ? request.velocity : Vec2(Vec2::Zero());
     if (mode_ == Mode::stand) speed_.begin(goal, p);
     const double calm = std::clamp(1 - p.feedback.tiltBrake * tilt_.excess.norm(), 0.0, 1.0);
-    speed_.update(goal, stop_.turn(request.turn, request.walk, p, dt), p, calm, dt);
+    speed_.update(goal, turn, p, calm, dt);
     useGait();
     aim();
   }
@@ -200,12 +201,11 @@ private:
   void learnSpeed(const WalkSensors& sensors) {
     if (!sensors.feet || mode_ != Mode::walk || kick_.prepared || disturbance.share() > 0) return;
     const Pose2& moved = loop.observed().torsoMotion();
-    scale_.update(aimed(), Vec3(moved.x(), moved.y(), moved.heading) / sensors.dt, p.speed.scaleWindow,
+    scale_.update(speed_.all(), Vec3(moved.x(), moved.y(), moved.heading) / sensors.dt, p.speed.scaleWindow,
                   sensors.dt);
   }
 
-  /// Standing cannot hold what was observed: the foot on the side of the capture point carries, the other one
-  /// steps.
+  /// Standing cannot hold it: the foot on the side of the capture point carries, the other one steps.
   void captureStep() {
     speed_.reset();
     disturbance.begin();
@@ -217,8 +217,7 @@ private:
 
   double lean() const { return p.posture.torsoPitch + p.posture.torsoPitchPerSpeed * speed_.velocity().x(); }
 
-  /// The rest of the step in progress; its target keeps the place on the ground that it has for the perceived
-  /// state.
+  /// The rest of the step; its target keeps the place on the ground that it has for the perceived state.
   WalkAction planStep() const {
     const Side support = state.supportSide();
     const WalkState seen = perceivedState(state, tilt_, p);
@@ -380,6 +379,7 @@ void WalkEngine::setGaits(const WalkGaits& gaits) {
 
 void WalkEngine::reset() { engine_->reset(); }
 void WalkEngine::forget() { engine_->forget(); }
+
 WalkOutput WalkEngine::stand() const { return engine_->stand(); }
 
 const WalkState& WalkEngine::state() const { return engine_->state; }

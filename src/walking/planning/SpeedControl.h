@@ -19,6 +19,7 @@ public:
 
   Vec2 velocity() const { return now_.head<2>(); }  ///< [m/s]
   double turn() const { return now_.z(); }          ///< [rad/s]
+  const Vec3& all() const { return now_; }          ///< forward, sideways, turn [m/s, rad/s]
   /// Of the forward velocity while it comes nearer to zero, mean over about a step; else 0 [m/s^2].
   double braking() const { return acceleration_ * now_.x() < 0 ? acceleration_ : 0.0; }
   bool sprinting() const { return sprint_.active(); }

@@ -19,7 +19,7 @@ public:
   }
 
 private:
-  double stopping_ = 0;  ///< since it is to stop [s]
+  double stopping_ = 0;  ///< since it is to stop, or to stand [s]
 };
 
 }  // namespace plumbline::walking

@@ -1,5 +1,5 @@
 # From the lines of tracks.awk: a table in Markdown, and the figures as the project's JSON. Variables: half, json, and for
-# games against a team that is not ours players, of each side, other, what that team is called, and server.
+# games against a team that is not ours players, of each side, other, what that team is called, server, and played, the day.
 BEGIN {
   FS = "\t"
   split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]|fouls: touching|charging|illegal defence|free kicks against", title, "|")

@@ -2,18 +2,13 @@
 
 #include <gtest/gtest.h>
 
+#include "tactics/approach/SomeWalk.h"
+
 using namespace plumbline;
 
 namespace {
 
-const WalkLimits walk{.forward = 0.6,
-                      .backward = 0.4,
-                      .sideways = 0.3,
-                      .turn = 2,
-                      .accelerationForward = 1,
-                      .decelerationForward = 1,
-                      .accelerationSideways = 0.5,
-                      .accelerationTurn = 8};
+const WalkLimits& walk = test::someWalk;
 
 struct BallPositioningTest : testing::Test {
   BallPositioningTest() {

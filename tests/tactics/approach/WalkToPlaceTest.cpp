@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "tactics/approach/SomeWalk.h"
+
 namespace plumbline {
 namespace {
 
@@ -10,14 +12,7 @@ struct WalkToPlaceTest : testing::Test {
 
   WalkToPoseParameters walk;
   ApproachPlannerParameters plan;
-  WalkLimits limits{.forward = 0.6,
-                    .backward = 0.4,
-                    .sideways = 0.3,
-                    .turn = 2,
-                    .accelerationForward = 1,
-                    .decelerationForward = 1,
-                    .accelerationSideways = 0.5,
-                    .accelerationTurn = 8};
+  WalkLimits limits = test::someWalk;
   std::optional<Vec2> detour;
   WalkToPlace way;
 };

@@ -1,4 +1,4 @@
-#include "motion/KickPlace.h"
+#include "motion/SearchedKickPlace.h"
 
 #include <cmath>
 #include <stdexcept>
@@ -14,7 +14,7 @@ constexpr double turn = 20, directionSigma = 2;  // around the present direction
 
 }  // namespace
 
-KickPlace::KickPlace(KeyframeMotion kick) : first_(std::move(kick)) {
+SearchedKickPlace::SearchedKickPlace(KeyframeMotion kick) : first_(std::move(kick)) {
   if (!first_.kick) throw std::invalid_argument(first_.name + " is no kick: it has no key kick");
   const double x = 1e3 * first_.ball.x(), y = 1e3 * first_.ball.y();
   const double direction = toDegrees(first_.kick->direction);
@@ -23,7 +23,7 @@ KickPlace::KickPlace(KeyframeMotion kick) : first_(std::move(kick)) {
            {"direction", direction, direction - turn, direction + turn, directionSigma}};
 }
 
-KeyframeMotion KickPlace::written(const Eigen::VectorXd& values) const {
+KeyframeMotion SearchedKickPlace::written(const Eigen::VectorXd& values) const {
   KeyframeMotion kick = first_;
   kick.ball = Vec2(std::round(values[0]) / 1e3, std::round(values[1]) / 1e3);
   kick.kick->direction = fromDegrees(std::round(100 * values[2]) / 100);

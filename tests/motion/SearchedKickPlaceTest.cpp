@@ -1,4 +1,4 @@
-#include "motion/KickPlace.h"
+#include "motion/SearchedKickPlace.h"
 
 #include <gtest/gtest.h>
 
@@ -20,8 +20,8 @@ KeyframeMotion placedKick() {
   return kick;
 }
 
-TEST(KickPlace, beginsWhereTheKickIs) {
-  const KickPlace place(placedKick());
+TEST(SearchedKickPlace, beginsWhereTheKickIs) {
+  const SearchedKickPlace place(placedKick());
   ASSERT_EQ(place.list().size(), 3u);
   EXPECT_EQ(place.list()[0].name, "ballX");
   EXPECT_DOUBLE_EQ(place.list()[0].start, 180);
@@ -35,8 +35,9 @@ TEST(KickPlace, beginsWhereTheKickIs) {
   }
 }
 
-TEST(KickPlace, isRoundedAsItsFileAndLeavesTheKeyframes) {
-  const KeyframeMotion motion = KickPlace(placedKick()).written(Eigen::Vector3d(171.6, -43.2, -1.2345));
+TEST(SearchedKickPlace, isRoundedAsItsFileAndLeavesTheKeyframes) {
+  const KeyframeMotion motion =
+      SearchedKickPlace(placedKick()).written(Eigen::Vector3d(171.6, -43.2, -1.2345));
   EXPECT_DOUBLE_EQ(motion.ball.x(), 0.172);
   EXPECT_DOUBLE_EQ(motion.ball.y(), -0.043);
   EXPECT_DOUBLE_EQ(motion.kick->direction, fromDegrees(-1.23));
@@ -45,10 +46,10 @@ TEST(KickPlace, isRoundedAsItsFileAndLeavesTheKeyframes) {
   EXPECT_DOUBLE_EQ(motion.keyframes[0].seconds, 0.1);
 }
 
-TEST(KickPlace, aMotionThatIsNoKickIsRefused) {
+TEST(SearchedKickPlace, aMotionThatIsNoKickIsRefused) {
   KeyframeMotion motion = placedKick();
   motion.kick.reset();
-  EXPECT_EQ(thrownBy([&] { KickPlace{motion}; }), "some is no kick: it has no key kick");
+  EXPECT_EQ(thrownBy([&] { SearchedKickPlace{motion}; }), "some is no kick: it has no key kick");
 }
 
 }  // namespace
