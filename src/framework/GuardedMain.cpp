@@ -2,6 +2,7 @@
 
 #include <unistd.h>
 
+#include <atomic>
 #include <charconv>
 #include <csignal>
 #include <cstdio>
@@ -14,6 +15,7 @@
 
 #include "framework/CommandLine.h"
 #include "framework/ConfigurationError.h"
+#include "framework/PartialFolder.h"
 #include "framework/SingleLine.h"
 #include "framework/StopSignal.h"
 
@@ -23,6 +25,7 @@ namespace {
 constexpr int badInput = ConfigurationError::exitCode, interrupted = 130;
 const char* programName = "";
 volatile std::sig_atomic_t memoryWasShort = 0;
+std::atomic<bool> ending = false;
 
 /// Without an allocation: none may be left.
 void print(std::initializer_list<const char*> parts) {
@@ -48,13 +51,19 @@ int fail(const std::exception& error, int status) noexcept {
   throw std::bad_alloc();
 }
 
+[[noreturn]] void endOutOfMemory() {
+  if (!ending.exchange(true)) {  // removing may come here again
+    tell("out of memory");
+    PartialFolder::removeAll();
+  }
+  _exit(badInput);
+}
+
 /// Ends the program if memory was short and an exception is on its way: libraries die of that otherwise.
 /// libstdc++'s directory_iterator may not throw, and nlohmann's json asserts that what is destroyed was
 /// whole.
 void endForLackOfMemory() {
-  if (memoryWasShort == 0 || std::uncaught_exceptions() == 0) return;
-  tell("out of memory");
-  _exit(badInput);
+  if (memoryWasShort != 0 && std::uncaught_exceptions() > 0) endOutOfMemory();
 }
 
 void aborted(int) { endForLackOfMemory(); }
@@ -65,8 +74,7 @@ void aborted(int) { endForLackOfMemory(); }
     try {
       std::rethrow_exception(problem);
     } catch (const std::bad_alloc&) {
-      tell("out of memory");
-      _exit(badInput);
+      endOutOfMemory();
     } catch (const std::exception& error) {
       tell(error.what());
     } catch (...) {

@@ -62,7 +62,7 @@ gap_diagnose_outputs() { echo 'answer.json took.json?'; }
 gap_diagnose_resumes() { echo answer.json; }
 
 # With a memory of its searches, from which it goes on.
-job gap_diagnose_blocks gap "write sync rename open"
+job gap_diagnose_blocks gap
 gap_diagnose_blocks_prepare() { gap_diagnose_prepare; }
 gap_diagnose_blocks_run() { "$bin/gap" diagnose run --jobs 1 --method blocks --max-causes 1 --quiet --json answer.json; }
 gap_diagnose_blocks_outputs() { echo answer.json; }
@@ -83,7 +83,7 @@ gap_check_prepare() { gapRun run; gapAnswer; echo old > check.json; }
 gap_check_run() { "$bin/gap" check answer.json run --robot "$arm" --jobs 1 --json check.json; }
 gap_check_outputs() { echo check.json; }
 
-job gap_next gap "write sync rename open"
+job gap_next gap
 gap_next_prepare() { gapAnswer; sed -i 's/Elbow/pendulum/; s/"arm"/"xl330_pendulum"/' answer.json; echo old > next.yaml; }
 gap_next_run() { "$bin/gap" next answer.json -o next.yaml; }
 gap_next_outputs() { echo next.yaml; }
@@ -96,7 +96,7 @@ gap_import_prepare() {
 gap_import_run() { "$bin/gap" import raw.csv --map map.yaml -o run; }
 gap_import_outputs() { echo run/run.json run/run.csv.gz run/run.csv; }
 
-job gap_blind gap "write sync rename open"
+job gap_blind gap
 gap_blind_run() { "$bin/gap" blind make --robot xl330_pendulum --engine replay --cases 1 --seed 4 --jobs 1 -o set; }
 gap_blind_outputs() { echo set/answers.sealed; }
 
@@ -130,7 +130,7 @@ agent_graph_prepare() { echo old > graph.dot; }
 agent_graph_run() { "$bin/agent" --graph graph.dot; }
 agent_graph_outputs() { echo graph.dot; }
 
-job agent_stats agent "write sync rename open"
+job agent_stats agent
 agent_stats_prepare() { cp -r "$sample" log; echo old > stats.json; }
 agent_stats_run() { "$bin/agent" --replay log --stats stats.json --crash-log crash.log; }
 agent_stats_outputs() { echo 'stats.json?'; }
@@ -162,11 +162,11 @@ optserver_check() { # every line of the journal but the last is whole
 }
 optserver_resumes() { echo search/found.yaml; }
 
-job optserver_measure optserver "write sync rename open"
+job optserver_measure optserver
 optserver_measure_prepare() { optserver_prepare; "$bin/optserver" study.yaml --folder study.search --workers 1 --port 0 > /dev/null; }
 optserver_measure_run() { "$bin/optserver" study.yaml --folder study.search --measure 5; }
 
-job optimizewalk optimizewalk "write sync rename open"
+job optimizewalk optimizewalk
 optimizewalk_prepare() { echo '# old' > walking.yaml; }
 optimizewalk_run() {
   "$bin/optimizewalk" --type 0 --task forward --generations 1 --population 4 --tries 1 --seconds 2 --jobs 1 --only step.duration \
@@ -183,7 +183,7 @@ watchgame_run() {
 watchgame_expects() { (($1 <= 1)); }
 watchgame_check() { [[ $(head -1 games.log) == 'a line of an earlier game' ]]; }
 
-job webmonitor_record webmonitor "write sync rename open"
+job webmonitor_record webmonitor
 webmonitor_record_run() { withServer startSimulator stopAfterStart 0.1 "$bin/webmonitor" --port PORT --web-port 0 --drawing-port -1 --record match.plm; }
 webmonitor_record_check() { readableMatch match.plm; }
 

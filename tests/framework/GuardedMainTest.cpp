@@ -12,6 +12,7 @@
 #include <thread>
 
 #include "framework/ConfigurationError.h"
+#include "framework/PartialFolder.h"
 #include "framework/StopSignal.h"
 
 namespace plumbline {
@@ -38,6 +39,15 @@ int lacksMemoryInAThread(int, char**) {
 }
 void mayNotThrow() noexcept { allocateInVain(); }
 int lacksMemoryWhereNothingMayThrow(int, char**) {
+  mayNotThrow();
+  return 0;
+}
+std::filesystem::path partialFolder() {
+  return std::filesystem::path(testing::TempDir()) / "guardedMain.part";
+}
+int lacksMemoryWhileItWritesAFolder(int, char**) {
+  const PartialFolder folder(partialFolder());
+  std::filesystem::create_directories(folder.path() / "inner");
   mayNotThrow();
   return 0;
 }
@@ -101,6 +111,12 @@ TEST(GuardedMainDeathTest, saysThatThereIsNoMemoryLeft) {
 TEST(GuardedMainDeathTest, lackOfMemoryIsSaidWhereItCannotBeCaught) {
   expectEnd(lacksMemoryWhereNothingMayThrow, 2, "out of memory", 1);
   expectEnd(lacksMemoryAndAborts, 2, "out of memory", 1);
+}
+
+TEST(GuardedMainDeathTest, aFolderThatWasBeingWrittenGoesWithoutItsDestructor) {
+  std::filesystem::remove_all(partialFolder());
+  expectEnd(lacksMemoryWhileItWritesAFolder, 2, "out of memory", 1);
+  EXPECT_FALSE(std::filesystem::exists(partialFolder()));
 }
 
 TEST(GuardedMainDeathTest, anAssertionThatFailsForLackOfMemorySaysNothingOfItsOwn) {

@@ -38,6 +38,18 @@ TEST(PartialFolder, staysWhenKept) {
   fs::remove_all(folder);
 }
 
+TEST(PartialFolder, allThatAreNotKeptGoAtOnce) {
+  const fs::path one = someFolder("one.part"), kept = someFolder("three.part");
+  const PartialFolder first(one);
+  PartialFolder third(kept);
+  third.keep();
+  { const PartialFolder second(someFolder("two.part")); }
+  PartialFolder::removeAll();
+  EXPECT_FALSE(fs::exists(one));
+  EXPECT_TRUE(fs::exists(kept / "inner" / "file"));
+  fs::remove_all(kept);
+}
+
 TEST(PartialFolder, oneThatIsNotThereIsNoMatter) { EXPECT_NO_THROW(PartialFolder("nowhere/at.part")); }
 
 }  // namespace

@@ -18,7 +18,7 @@ TEST(SingleLine, controlCharactersBecomeSpaces) {
 
 TEST(SingleLine, whatIsLongIsCut) {
   EXPECT_EQ(singleLine(std::string(1000, 'x')), std::string(1000, 'x'));
-  EXPECT_EQ(singleLine(std::string(1001, 'x')), std::string(1000, 'x') + "...");
+  EXPECT_EQ(singleLine(std::string(1001, 'x')), std::string(1000, 'x').append("..."));
 }
 
 TEST(ErrorLine, saysWhatIsMeant) {

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "math/Index.h"
+#include "math/Resize.h"
 
 namespace plumbline::simulation::bullet {
 
@@ -96,9 +97,9 @@ double BulletRows::response(int r, int s) const {
 
 void BulletRows::eliminateHeld(const Eigen::VectorXd& velocity) {
   const auto n = static_cast<Eigen::Index>(held_.size());
-  factor_.resize(n, n);
-  side_.resize(n);
-  across_.resize(n, static_cast<Eigen::Index>(placed_.size()));
+  resizeInUse(factor_, n, n);
+  resizeInUse(side_, n);
+  resizeInUse(across_, n, static_cast<Eigen::Index>(placed_.size()));
   for (Eigen::Index j = 0; j < n; ++j) {
     const Held& own = held_[static_cast<std::size_t>(j)];
     for (Eigen::Index i = j; i < n; ++i)

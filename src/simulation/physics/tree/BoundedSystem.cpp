@@ -3,6 +3,8 @@
 #include <Eigen/Cholesky>
 #include <limits>
 
+#include "math/Resize.h"
+
 namespace plumbline::simulation {
 
 namespace {
@@ -15,10 +17,12 @@ using InPlaceCholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
 }  // namespace
 
 void BoundedSystem::reset(Eigen::Index size) {
-  a.setZero(size, size);
-  b.setZero(size);
-  lower.setConstant(size, -infinity);
-  upper.setConstant(size, infinity);
+  resizeInUse(a, size, size);
+  for (Eigen::VectorXd* vector : {&b, &lower, &upper}) resizeInUse(*vector, size);
+  a.setZero();
+  b.setZero();
+  lower.setConstant(-infinity);
+  upper.setConstant(infinity);
 }
 
 const Eigen::VectorXd& BoundedSystem::solve() {
@@ -29,13 +33,13 @@ const Eigen::VectorXd& BoundedSystem::solve() {
   const auto entry = [&](Eigen::Index i, Eigen::Index j) { return i >= j ? a(i, j) : a(j, i); };
   const auto nf = static_cast<Eigen::Index>(free_.size()), nb = static_cast<Eigen::Index>(bounded_.size());
 
-  freeMatrix_.resize(nf, nf);
-  freeSide_.resize(nf);
-  cross_.resize(nf, nb);
-  rest_.resize(nb, nb);
-  restSide_.resize(nb);
-  restLower_.resize(nb);
-  restUpper_.resize(nb);
+  resizeInUse(freeMatrix_, nf, nf);
+  resizeInUse(freeSide_, nf);
+  resizeInUse(cross_, nf, nb);
+  resizeInUse(rest_, nb, nb);
+  resizeInUse(restSide_, nb);
+  resizeInUse(restLower_, nb);
+  resizeInUse(restUpper_, nb);
   for (Eigen::Index j = 0; j < nf; ++j) {
     const Eigen::Index fj = free_[static_cast<std::size_t>(j)];
     freeSide_[j] = b[fj];
@@ -64,7 +68,7 @@ const Eigen::VectorXd& BoundedSystem::solve() {
 
   if (nf > 0 && nb > 0) freeSide_.noalias() -= cross_ * restX_;
   if (nf > 0) cholesky.matrixU().solveInPlace(freeSide_);
-  x_.resize(b.size());
+  resizeInUse(x_, b.size());
   for (Eigen::Index i = 0; i < nf; ++i) x_[free_[static_cast<std::size_t>(i)]] = freeSide_[i];
   for (Eigen::Index i = 0; i < nb; ++i) x_[bounded_[static_cast<std::size_t>(i)]] = restX_[i];
   return x_;
@@ -73,7 +77,8 @@ const Eigen::VectorXd& BoundedSystem::solve() {
 void BoundedSystem::pivot() {
   const auto n = static_cast<std::size_t>(restSide_.size());
   bound_.assign(n, 0);
-  restX_.setZero(restSide_.size());
+  resizeInUse(restX_, restSide_.size());
+  restX_.setZero();
   std::vector<int> wanted(n);
   int allowance = 3;
   std::size_t fewest = n + 1;
@@ -122,8 +127,8 @@ void BoundedSystem::solveFree() {
       restX_[k] = bound_[i] < 0 ? restLower_[k] : restUpper_[k];
   }
   const auto n = static_cast<Eigen::Index>(inner_.size());
-  innerMatrix_.resize(n, n);
-  innerSide_.resize(n);
+  resizeInUse(innerMatrix_, n, n);
+  resizeInUse(innerSide_, n);
   for (Eigen::Index j = 0; j < n; ++j) {
     const Eigen::Index kj = inner_[static_cast<std::size_t>(j)];
     innerSide_[j] = restSide_[kj];
