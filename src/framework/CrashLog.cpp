@@ -20,6 +20,7 @@
 #include "framework/CrashReport.h"
 #include "framework/Log.h"
 #include "framework/LogBuffer.h"
+#include "framework/ThreadObject.h"
 
 namespace plumbline {
 namespace {
@@ -184,7 +185,8 @@ private:
 }  // namespace
 
 void CrashLog::protectThread() {
-  if (record) thread_local SignalStack stack;
+  static ThreadObject<SignalStack> stacks;
+  if (record) stacks.get();
 }
 
 CrashLog::CrashLog(const std::string& path, unsigned secondsToDie)

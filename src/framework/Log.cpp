@@ -10,6 +10,7 @@
 #include "framework/LogBuffer.h"
 #include "framework/RepeatLimit.h"
 #include "framework/SteadyClock.h"
+#include "framework/ThreadObject.h"
 
 namespace plumbline {
 namespace {
@@ -56,8 +57,9 @@ private:
 };
 
 StreamStack& streams() {
-  thread_local StreamStack stack;
-  return stack;
+  // Never destroyed, as modules may log until the very end.
+  static auto* const stacks = new ThreadObject<StreamStack>;
+  return stacks->get();
 }
 
 std::atomic<bool> hasListener{false};

@@ -1,14 +1,12 @@
 #include "framework/ModulesConfig.h"
 
 #include <cctype>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
+#include "framework/ReadFile.h"
 #include "framework/SingleLine.h"
 
 namespace plumbline {
@@ -39,20 +37,6 @@ std::vector<std::string_view> words(std::string_view text) {
     text.remove_prefix(word.size());
   }
   return result;
-}
-
-/// The text of a file. Throws std::runtime_error with what is wrong, without the path.
-std::string textOf(const std::string& path) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw std::runtime_error(std::string("cannot be read: ") + std::strerror(errno));
-  std::string text(maxFileSize + 1, '\0');
-  errno = 0;
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad())
-    throw std::runtime_error(std::string("cannot be read: ") + std::strerror(errno ? errno : EISDIR));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > maxFileSize) throw std::runtime_error("larger than 1 MB");
-  return text;
 }
 
 class Parser {
@@ -96,7 +80,7 @@ private:
     if (++files_ > maxFiles) fail("include " + path + ": more than 100 files are included");
     std::string text;
     try {
-      text = textOf(path);
+      text = readFile(path, maxFileSize);
     } catch (const std::runtime_error& error) {
       fail("include " + path + ": " + error.what());
     }
@@ -189,7 +173,7 @@ ModulesConfig parseModulesConfig(std::string_view text, const std::string& path)
 ModulesConfig readModulesConfig(const std::string& path) {
   std::string text;
   try {
-    text = textOf(path);
+    text = readFile(path, maxFileSize);
   } catch (const std::runtime_error& error) {
     throw ConfigurationError(path + ": " + error.what());
   }

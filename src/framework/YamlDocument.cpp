@@ -1,13 +1,11 @@
 #include "framework/YamlDocument.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstring>
-#include <fstream>
 #include <sstream>
 #include <vector>
 
 #include "framework/ConfigurationError.h"
+#include "framework/ReadFile.h"
 #include "framework/SingleLine.h"
 #include "framework/YamlLimits.h"
 
@@ -57,14 +55,12 @@ YAML::Node parseYaml(const std::string& text, const std::string& path) {
 }
 
 YAML::Node readYaml(const std::string& path, std::size_t maxBytes) {
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw ConfigurationError(path + ": cannot be read: " + std::strerror(errno));
-  std::string text(maxBytes + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) throw ConfigurationError(path + ": cannot be read: " + std::strerror(errno));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > maxBytes)
-    throw ConfigurationError(path + ": larger than " + std::to_string(maxBytes >> 20) + " MB");
+  std::string text;
+  try {
+    text = readFile(path, maxBytes);
+  } catch (const FileProblem& problem) {
+    throw ConfigurationError(path + ": " + problem.what());
+  }
   return parseYaml(text, path);
 }
 

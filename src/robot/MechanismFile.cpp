@@ -1,17 +1,15 @@
 #include "robot/MechanismFile.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <charconv>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <set>
 
 #include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Json.h"
+#include "framework/ReadFile.h"
 #include "framework/YamlDocument.h"
 #include "robot/MechanismParts.h"
 
@@ -28,14 +26,11 @@ std::string readText(const std::string& path) {
   std::error_code error;
   if (fs::is_directory(path, error))
     failMechanism(path, "is a folder; give a .json, .urdf, or MuJoCo's .xml file");
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) failMechanism(path, std::string("cannot be read: ") + std::strerror(errno));
-  std::string text(maxFileSize + 1, '\0');
-  stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-  if (stream.bad()) failMechanism(path, std::string("cannot be read: ") + std::strerror(errno));
-  text.resize(static_cast<std::size_t>(stream.gcount()));
-  if (text.size() > maxFileSize) failMechanism(path, "is larger than 4 MB; a robot's file is smaller");
-  return text;
+  try {
+    return readFile(path, maxFileSize);
+  } catch (const FileProblem& problem) {
+    failMechanism(path, problem.what());
+  }
 }
 
 json jsonOf(const std::string& text, const std::string& path) {

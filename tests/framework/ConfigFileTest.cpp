@@ -219,7 +219,7 @@ TEST_F(ConfigFileTest, namesBrokenFiles) {
   EXPECT_EQ(errorOf("a.b: 1\n", nothing), "A.yaml:1: key \"a.b\" contains a dot; nest the keys instead");
   EXPECT_EQ(errorOf("- a\n- b\n", nothing), "A.yaml:1: expected lines of the form \"key: value\"");
   EXPECT_EQ(errorOf("just text\n", nothing), "A.yaml:1: expected lines of the form \"key: value\"");
-  EXPECT_EQ(errorOf(std::string((4 << 20) + 1, '#'), nothing), "A.yaml: larger than 4 MB");
+  EXPECT_EQ(errorOf(std::string((4 << 20) + 1, '#'), nothing), "A.yaml: is larger than 4 MB");
   // A small file that unfolds to 10^9 values.
   std::string bomb = "a0: &a0 [1,1,1,1,1,1,1,1,1,1]\n";
   for (int i = 1; i < 9; i++) {

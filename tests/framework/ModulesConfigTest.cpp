@@ -176,7 +176,7 @@ TEST(ModulesConfigTest, namesAFileThatCannotBeRead) {
   EXPECT_EQ(errorOfFile("/tmp"), "/tmp: cannot be read: Is a directory");
   const std::string path = testing::TempDir() + "/large.cfg";
   std::ofstream(path) << std::string((1 << 20) + 1, '#');
-  EXPECT_EQ(errorOfFile(path), path + ": larger than 1 MB");
+  EXPECT_EQ(errorOfFile(path), path + ": is larger than 1 MB");
   std::remove(path.c_str());
 }
 

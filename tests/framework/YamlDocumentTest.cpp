@@ -65,7 +65,7 @@ TEST(YamlDocument, refusesLargeAndMissingFiles) {
     }
     return "no error";
   };
-  EXPECT_EQ(error(path), path + ": larger than 1 MB");
+  EXPECT_EQ(error(path), path + ": is larger than 1 MB");
   std::filesystem::remove(path);
   EXPECT_EQ(error(path), path + ": cannot be read: No such file or directory");
 }

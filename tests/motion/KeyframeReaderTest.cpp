@@ -158,7 +158,7 @@ TEST_F(KeyframeReaderTest, errorsNameFileLineAndKey) {
   EXPECT_EQ(errorOf("3\n"), "m.yaml:1: a motion is a map with the key keyframes (or mirror)");
   EXPECT_EQ(errorOf(""), "m.yaml:1: a motion is a map with the key keyframes (or mirror)");
   EXPECT_EQ(errorOf("keyframes: [\n").substr(0, 22), "m.yaml:2: broken YAML:");
-  EXPECT_EQ(errorOf(std::string((1 << 20) + 1, '#')), "m.yaml: larger than 1 MB");
+  EXPECT_EQ(errorOf(std::string((1 << 20) + 1, '#')), "m.yaml: is larger than 1 MB");
 }
 
 TEST_F(KeyframeReaderTest, aKeyframeNamesAllJointsOrTheMotionSaysThatTheRestStays) {

@@ -94,6 +94,7 @@ int exportLog(const Options& options, const Progress& progress) {
     return std::cout.flush() ? 0 : badInput;
   }
   std::ostringstream text;
+  text.exceptions(std::ios::badbit);  // or a lack of memory is the end of the text, and nobody is told
   const std::uint64_t lines = writeCsv(log, thread, columns, options.part, text, progress);
   writeFile(options.csv, text.str());
   fmt::print("{}: {} lines of {} columns\n", options.csv, lines, columns.size() + 2);

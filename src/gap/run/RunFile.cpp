@@ -1,16 +1,14 @@
 #include "gap/run/RunFile.h"
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdio>
-#include <cstring>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "framework/Json.h"
 #include "framework/NearestName.h"
+#include "framework/ReadFile.h"
 #include "gap/run/Table.h"
 
 namespace plumbline::gap {
@@ -30,12 +28,12 @@ std::string shown(const json& value) {
 class Meta {
 public:
   explicit Meta(const std::string& path) : path_(path) {
-    std::ifstream stream(path_, std::ios::binary);
-    if (!stream) fail(std::string("cannot be read: ") + std::strerror(errno));
-    std::string text(maxJsonSize + 1, '\0');
-    stream.read(text.data(), static_cast<std::streamsize>(text.size()));
-    text.resize(static_cast<std::size_t>(std::max<std::streamsize>(0, stream.gcount())));
-    if (text.size() > maxJsonSize) fail("is larger than 1 MB");
+    std::string text;
+    try {
+      text = readFile(path_, maxJsonSize);
+    } catch (const FileProblem& problem) {
+      fail(problem.what());
+    }
     try {
       value = parseJson(text, path_);
     } catch (const JsonError& error) {

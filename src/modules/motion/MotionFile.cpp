@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
+#include "framework/ReadFile.h"
 #include "framework/WriteFile.h"
 #include "math/Fingerprint.h"
 #include "motion/KeyframeReader.h"
@@ -46,11 +45,11 @@ void checkNumbers(const std::vector<motion::KeyframeDraft>& keyframes, const std
 }  // namespace
 
 std::string MotionFile::text() const {
-  std::ifstream in(file_, std::ios::binary);
-  std::ostringstream all;
-  if (!in || !(all << in.rdbuf())) throw std::runtime_error("cannot read " + file_.string());
-  if (all.str().size() > maxBytes) throw std::runtime_error(file_.string() + ": larger than a megabyte");
-  return all.str();
+  try {
+    return readFile(file_, maxBytes);
+  } catch (const FileProblem& problem) {
+    throw std::runtime_error(file_.string() + ": " + problem.what());
+  }
 }
 
 MotionDraft MotionFile::read(const RobotModel& robot) const {

@@ -5,11 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <fstream>
-#include <sstream>
 #include <stdexcept>
 
 #include "framework/ConfigFile.h"
+#include "framework/ReadFile.h"
 #include "framework/WriteFile.h"
 #include "framework/YamlDocument.h"
 #include "math/Fingerprint.h"
@@ -27,11 +26,11 @@ constexpr double sameNumber = 5e-3;  ///< what two decimals cannot tell apart [m
 using Table = std::vector<std::vector<double>>;
 
 std::string textOf(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream all;
-  if (!in || !(all << in.rdbuf())) throw std::runtime_error("cannot read " + file.string());
-  if (all.str().size() > maxBytes) throw std::runtime_error(file.string() + ": larger than a megabyte");
-  return all.str();
+  try {
+    return readFile(file, maxBytes);
+  } catch (const FileProblem& problem) {
+    throw std::runtime_error(file.string() + ": " + problem.what());
+  }
 }
 
 std::string revisionOf(const std::string& text) {
