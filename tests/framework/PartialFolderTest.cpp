@@ -12,7 +12,7 @@ namespace {
 namespace fs = std::filesystem;
 
 fs::path someFolder(const char* name) {
-  const fs::path folder = fs::path(testing::TempDir()) / name;
+  fs::path folder = fs::path(testing::TempDir()) / name;
   fs::create_directories(folder / "inner");
   std::ofstream(folder / "inner" / "file") << "text";
   return folder;

@@ -11,7 +11,7 @@ namespace {
 constexpr std::size_t megabyte = 1 << 20;
 
 std::string fileOf(const std::string& text) {
-  const std::string path = testing::TempDir() + "/readFile";
+  std::string path = testing::TempDir() + "/readFile";
   std::ofstream(path, std::ios::binary) << text;
   return path;
 }
