@@ -9,6 +9,8 @@
 #include <algorithm>
 #include <array>
 #include <atomic>
+#include <cstdlib>
+#include <new>
 #include <stdexcept>
 #include <string_view>
 #include <thread>
@@ -39,6 +41,18 @@ bool isLoopbackHost(std::string_view host) {
     host = host.substr(0, colon);
   if (host.starts_with('[') && host.ends_with(']')) return host == "[::1]";
   return host != "::1" && isLoopbackAddress(host);
+}
+
+/// Where libwebsockets has no memory for a part of its context it may go on without, and die of that later.
+std::atomic<bool> lacksMemory = false;
+void* reallocate(void* old, std::size_t size, const char*) {
+  if (size == 0) {
+    std::free(old);
+    return nullptr;
+  }
+  void* made = std::realloc(old, size);
+  if (made == nullptr) lacksMemory = true;
+  return made;
 }
 
 /// Whether the port is free: asked first, as libwebsockets 4.1.6 loses memory where it can't bind. True too
@@ -126,7 +140,10 @@ PageServer::Implementation::Implementation(const Config& given, PageSource& sour
 
 void PageServer::Implementation::open(lws_context_creation_info info) {
   if (!canListen(config.address, info.port)) return;
+  lws_set_allocator(reallocate);
+  lacksMemory = false;
   context = lws_create_context(&info);
+  if (lacksMemory) throw std::bad_alloc();  // a context that was half made is not safe to destroy
   lws_vhost* host = context ? lws_get_vhost_by_name(context, "default") : nullptr;
   port = host ? lws_get_vhost_listen_port(host) : 0;
   if (port > 0) return;
