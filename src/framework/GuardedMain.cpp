@@ -52,7 +52,7 @@ int fail(const std::exception& error, int status) noexcept {
 }
 
 [[noreturn]] void endOutOfMemory() {
-  if (!ending.exchange(true)) {  // removing may come here again
+  if (!ending.exchange(true)) {  // removing may come here again, and a second thread ends it as a kill does
     tell("out of memory");
     PartialFolder::removeAll();
   }

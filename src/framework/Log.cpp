@@ -57,9 +57,8 @@ private:
 };
 
 StreamStack& streams() {
-  // Never destroyed, as modules may log until the very end.
-  static auto* const stacks = new ThreadObject<StreamStack>;
-  return stacks->get();
+  static ThreadObject<StreamStack> stacks;
+  return stacks.get();
 }
 
 std::atomic<bool> hasListener{false};

@@ -5,8 +5,8 @@
 
 namespace plumbline {
 
-/// Why a file cannot be had: "cannot be read: REASON" or "is larger than N MB". Its path is for the caller to
-/// say.
+/// What is wrong with a file: "cannot be read: REASON" or "is larger than N MB". The caller puts the path
+/// before it.
 class FileProblem : public std::runtime_error {
 public:
   using std::runtime_error::runtime_error;

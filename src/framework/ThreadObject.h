@@ -27,7 +27,8 @@ public:
   }
 
 private:
-  pthread_key_t key_{};  // never deleted: threads may outlast static objects
+  pthread_key_t
+      key_{};  // never deleted: threads may outlast static objects, and modules log until the very end
 };
 
 }  // namespace plumbline

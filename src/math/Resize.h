@@ -9,10 +9,7 @@ namespace plumbline {
 template <class Matrix>
 void resizeInUse(Matrix& matrix, Eigen::Index rows, Eigen::Index columns = 1) {
   if (matrix.rows() == rows && matrix.cols() == columns) return;
-  if constexpr (Matrix::IsVectorAtCompileTime)
-    matrix.resize(0);
-  else
-    matrix.resize(0, 0);
+  matrix = Matrix();
   matrix.resize(rows, columns);
 }
 

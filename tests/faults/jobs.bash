@@ -1,11 +1,11 @@
-# What is tried with faults: job NAME PROGRAM KINDS, then in functions of the job's name what makes its folder
+# What is tried with faults: job NAME PROGRAM, then in functions of the job's name what makes its folder
 # (NAME_prepare), what runs (NAME_run) and what must hold whatever happened (NAME_check; the files of NAME_outputs are as
 # they were, as they should be, or not there; with a ? their content differs from run to run). NAME_resumes names files that
 # the same command comes to after a kill. Sourced after helpers.bash; $bin has the programs, $tree the tree.
 all="write sync rename open malloc"
 quick=() jobs=()
-declare -A programOf kindsOf
-job() { jobs+=("$1"); programOf[$1]=$2; kindsOf[$1]=${3:-$all}; }
+declare -A programOf
+job() { jobs+=("$1"); programOf[$1]=$2; }
 quickJob() { job "$@"; quick+=("$1"); }
 
 arm=$tree/tests/e2e/gap/arm.json

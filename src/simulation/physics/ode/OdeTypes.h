@@ -1,11 +1,11 @@
 #pragma once
 #include <ode/ode.h>
-#include <pthread.h>
 
 #include <cstddef>
 #include <cstdlib>
 #include <new>
 
+#include "framework/ThreadObject.h"
 #include "math/Types.h"
 
 namespace plumbline::simulation::ode {
@@ -19,30 +19,29 @@ public:
       return size == 0 ? std::realloc(old, size) : orBadAlloc(std::realloc(old, size));
     });
     dInitODE2(0);
-    if (pthread_key_create(&key_, [](void*) { dCleanupODEAllDataForThread(); }) != 0) throw std::bad_alloc();
-  }
-
-  /// Resources of the thread are freed when it ends. This is not done by a thread_local object's destructor,
-  /// because glibc ends the program if it has no memory to register one.
-  void useThread() const {
-    if (dAllocateODEDataForThread(dAllocateMaskAll) == 0 || pthread_setspecific(key_, this) != 0)
-      throw std::bad_alloc();
   }
 
 private:
   static void* orBadAlloc(void* memory) { return memory ? memory : throw std::bad_alloc(); }
+};
 
-  pthread_key_t key_ = 0;
+/// ODE's resources for a thread.
+class OdeThread {
+public:
+  OdeThread() {
+    if (dAllocateODEDataForThread(dAllocateMaskAll) == 0) throw std::bad_alloc();
+  }
+  ~OdeThread() { dCleanupODEAllDataForThread(); }
+  OdeThread(const OdeThread&) = delete;
+  OdeThread& operator=(const OdeThread&) = delete;
 };
 
 /// Gets ODE ready for the calling thread; call before any other use of ODE, it is cheap from the second time
 /// on. Collision needs memory of its own in every thread, whichever thread made the world.
 inline void ensureThread() {
   static const OdeProcess process;
-  static thread_local bool ready = false;
-  if (ready) return;
-  process.useThread();
-  ready = true;
+  static ThreadObject<OdeThread> threads;
+  threads.get();
 }
 
 inline Vec3 toVec3(const dReal* v) { return {v[0], v[1], v[2]}; }
