@@ -1,14 +1,14 @@
 #!/usr/bin/env bash
 # Makes the pictures of doc/img/ and README's sample output anew, by the commands that stand beside them there; `make
 # pictures` builds first what this needs.
-#   scripts/make_pictures.sh [goal] [match] [graph] [report] [agent] [fault]   all, if none is named; report takes some minutes
+#   scripts/make_pictures.sh [goal] [match] [graph] [floors] [report] [agent] [fault]   all, if none is named; report takes some minutes
 # Example: scripts/make_pictures.sh goal
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 fail() { echo "make_pictures.sh: $*" >&2; exit 2; }
 wanted=("$@")
-((${#wanted[@]})) || wanted=(goal match graph report agent fault)
+((${#wanted[@]})) || wanted=(goal match graph floors report agent fault)
 work=$(mktemp -d)
 server=""
 trap '[[ $server ]] && kill "$server" 2> /dev/null; rm -rf "$work"' EXIT
@@ -49,6 +49,11 @@ match() {
 graph() {
   bin/agent --graph "$work/modules.svg"
   put "$work/modules.svg" modules.svg
+}
+
+floors() {
+  scripts/draw_floors.sh > "$work/floors.svg"
+  put "$work/floors.svg" floors.svg
 }
 
 report() {
@@ -139,7 +144,7 @@ fault() {
 
 for name in "${wanted[@]}"; do
   case $name in
-    goal | match | graph | report | agent | fault) "$name" ;;
-    *) fail "no picture '$name'; there is goal, match, graph, report, agent, fault" ;;
+    goal | match | graph | floors | report | agent | fault) "$name" ;;
+    *) fail "no picture '$name'; there is goal, match, graph, floors, report, agent, fault" ;;
   esac
 done

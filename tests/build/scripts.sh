@@ -45,6 +45,17 @@ expect "USES" "$text" 'src/record/CMakeLists.txt:3: src/record includes nothing 
 src/robot/Joint.h:1: src/robot does not use "math/One.h": add math to USES in src/robot/CMakeLists.txt'
 rm -r src/robot src/record
 
+# The drawing of the floors: a box for each folder, and an arrow for each include that no other way replaces.
+mkdir -p src/robot
+printf '#include "math/One.h"\n' > src/robot/Joint.h
+scripts/draw_floors.sh > floors.svg || fail "the floors are not drawn"
+contains "a box" "$(cat floors.svg)" "<title>robot</title>"
+contains "an arrow" "$(cat floors.svg)" "<title>robot&#45;&gt;math</title>"
+text=$(scripts/draw_floors.sh nowhere 2>&1)
+expect "no tree: status" $? 2
+expect "no tree" "$text" "draw_floors.sh: nowhere has no folder src"
+rm -r src/robot floors.svg
+
 # Circles of folders.
 mkdir -p src/math/a src/math/b
 printf '#include "math/b/B.h"\n' > src/math/a/A.h
