@@ -121,12 +121,16 @@ std::string onlySupport(const Groups& groups, const Scored& best, const Scored& 
 
 std::vector<std::string> unused(const Groups& groups) {
   std::set<std::string> lines;
-  for (std::size_t t = 0; t < groups.trials().size(); ++t)
+  const auto kind = [](const std::string& column) { return column.substr(0, column.find('.')); };
+  for (std::size_t t = 0; t < groups.trials().size(); ++t) {
+    for (const std::string& column : groups.trials()[t].notPredicted)
+      lines.insert(kind(column) + ".* is not used: no model here predicts it");
     for (std::size_t s = 0; s < groups.uses()[t].size(); ++s) {
       const std::string& name = groups.trials()[t].signals[s].name;
       if (!groups.uses()[t][s].used)
-        lines.insert(name.substr(0, name.find('.')) + ".* is not used: " + groups.uses()[t][s].why);
+        lines.insert(kind(name) + ".* is not used: " + groups.uses()[t][s].why);
     }
+  }
   return {lines.begin(), lines.end()};
 }
 

@@ -62,6 +62,8 @@ struct Trial {
   std::vector<std::vector<double>> voltage;               ///< empty: as the servo table says [V]
   std::vector<double> commandAt, positionAt, velocityAt;  ///< per joint, relative to the cycle's time [s]
   std::vector<Signal> signals;
+  /// Columns that were recorded and that no replay predicts.
+  std::vector<std::string> notPredicted;
   /// Restarts of a walking robot (see Restarts.h) or of windows (inference/WindowStarts.h), in ascending
   /// order; none: replayed in one piece.
   std::vector<Restart> restarts;

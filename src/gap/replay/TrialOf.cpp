@@ -162,6 +162,7 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
   for (const auto& [column, values] : run.channels) {
     const auto channel = parseChannel(column);
     const auto kind = channel ? kindOf(channel->kind) : std::nullopt;
+    if (channel && channel->kind == ChannelKind::temperature) trial.notPredicted.push_back(column);
     if (!kind) continue;
     Signal signal;
     signal.name = column;

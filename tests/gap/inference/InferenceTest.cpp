@@ -21,7 +21,11 @@ TEST(Inference, theCauseWithTheMostEvidenceStandsFirst) {
 }
 
 TEST(Inference, nothingIsFoundWhereNothingIs) {
-  const Inference found = infer(twoJointArm(), recordings({}), {});
+  std::vector<Trial> trials = recordings({});
+  trials[1].notPredicted = {"temperature.shoulder", "temperature.elbow"};
+  const Inference found = infer(twoJointArm(), trials, {});
+  ASSERT_EQ(found.notUsed.size(), 1u);
+  EXPECT_EQ(found.notUsed[0], "temperature.* is not used: no model here predicts it");
   EXPECT_EQ(found.diagnosis.verdict, Verdict::none);
   EXPECT_TRUE(found.diagnosis.findings.empty());
 }
