@@ -13,7 +13,7 @@ namespace plumbline::dds {
 namespace fast = eprosima::fastdds::dds;
 namespace {
 
-/// Of somebody else's bytes.
+/// Content with the bytes of a given sample.
 class SampleContent final : public Content {
 public:
   explicit SampleContent(const Sample& sample) : bytes_(sample.bytes) { cycle = sample.cycle; }
@@ -56,7 +56,7 @@ ByteWriter::~ByteWriter() {
 }
 
 bool ByteWriter::write(const Content& content) {
-  // Fast DDS hands it to BytesType, which changes nothing.
+  // Fast DDS passes it to BytesType, which changes nothing.
   return parts_->writer->write(const_cast<Content*>(&content));
 }
 

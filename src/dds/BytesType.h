@@ -14,7 +14,7 @@ class BytesType final : public eprosima::fastdds::dds::TopicDataType {
 public:
   static constexpr std::size_t maxBytes = 32u << 20;
 
-  /// `name` is the type's on the wire: only readers and writers of one name meet.
+  /// `name` is the type's on the wire: only readers and writers of one name connect.
   BytesType(const std::string& name, bool bare);
 
   // `data` is a Content.

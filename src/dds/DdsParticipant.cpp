@@ -24,10 +24,10 @@ namespace {
 
 constexpr unsigned maxDomain = 232, maxPeers = 64;
 constexpr std::uint32_t sharedMemory = 8u << 20;  ///< bytes on their way to readers of this machine
-/// After so long without a sign a reader of shared memory is thought dead, and one that comes back gets a new
+/// After this time without a sign, a reader of shared memory counts as dead; if it comes back, it gets a new
 /// place [ms].
 constexpr std::uint32_t deadReader = 100;
-/// Bytes that the system keeps for a slow thread of ours; it gives less where it must.
+/// Bytes that the system keeps for our slow threads; it may give less.
 constexpr std::uint32_t socketBuffer = 4u << 20;
 
 std::uint32_t addressOf(const std::string& text, const char* what) {
@@ -52,15 +52,15 @@ void check(const ParticipantOptions& options) {
   }
 }
 
-/// Announcements: soon after the start, and often enough that one who comes back is found within 2 s.
+/// Announcements: soon after the start, and often enough that a returning participant is found within 2 s.
 void setDiscovery(fast::DomainParticipantQos& qos, const ParticipantOptions& options) {
   auto& discovery = qos.wire_protocol().builtin.discovery_config;
   discovery.leaseDuration = {5, 0};
   discovery.leaseDuration_announcementperiod = {1, 0};
   discovery.initial_announcements.count = 10;
   discovery.initial_announcements.period = {0, 100'000'000};
-  // Who is there is told by UDP alone: a reader that was killed leaves shared memory behind, which whoever
-  // comes back in its place would have to wait for.
+  // Participants announce themselves by UDP only: a killed reader leaves shared memory behind, and its
+  // successor would have to wait for that memory.
   auto& builtin = qos.wire_protocol().builtin;
   constexpr std::uint32_t firstPort = 7400, portsOfADomain = 250;
   rtps::Locator_t group;
@@ -103,7 +103,7 @@ void setTransports(fast::DomainParticipantQos& qos, const ParticipantOptions& op
   qos.transport().user_transports = {memory, udp};
 }
 
-/// DDS's word for who may meet whom; of the token only a number is told.
+/// The DDS partition: only participants of one partition connect. It shows only a hash of the token.
 std::string partitionOf(const std::string& token) {
   Fingerprint hash;
   for (const char c : token) hash.add(static_cast<unsigned char>(c));

@@ -11,7 +11,7 @@ class Subscriber;
 
 namespace plumbline::dds {
 
-/// Whom a participant sees.
+/// Which other participants a participant sees.
 struct ParticipantOptions {
   unsigned domain = 0;  ///< 0 to 232: participants of two domains never meet
   /// Addresses of this machine, IPv4, that it uses. Any other than the loopback's needs a token.

@@ -62,7 +62,7 @@ private:
   Newest<RepresentationContent> newest_;
   std::mutex mutex_;
   std::string problem_;             ///< of the last one that was left out; under the mutex
-  std::atomic<bool> wrong_{false};  ///< there is a problem that was not told
+  std::atomic<bool> wrong_{false};  ///< there is a problem that was not reported
   int writers_ = 0;
   TopicReader reader_;  ///< ends before what it fills
 };

@@ -9,7 +9,7 @@ namespace plumbline::dds {
 /// config/NetworkModule.yaml: under which name this agent shows its representations, and whose it reads.
 struct NetworkOptions {
   std::string agent;  ///< letters, digits, _ and -
-  std::string from;   ///< the same; needed only where a line `network Representation` stands
+  std::string from;   ///< the same; needed only if modules.cfg has a line `network Representation`
   ParticipantOptions participant;
 };
 

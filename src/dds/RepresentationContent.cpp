@@ -43,7 +43,7 @@ void RepresentationContent::read(std::string_view bytes) {
       problem_ = error.what();
       if (problem_.empty()) problem_ = "it cannot be read";
     }
-    // Half of a value must not pass for a whole one with the next sample.
+    // The next sample must not complete half of this value.
     if (!problem_.empty()) holder_ = loader_.create();
   } catch (const std::exception&) {
     problem_ = "no memory";  // short enough to need none

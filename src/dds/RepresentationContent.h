@@ -7,15 +7,15 @@
 
 namespace plumbline::dds {
 
-/// A representation as what a sample carries: eight bytes for its shape, then its binary stream, written to
-/// and read from the network's own memory, without a copy between. What is read is held to what modules are
-/// held to (RepresentationLoader::problemOf).
+/// A representation as the content of a sample: eight bytes for its shape, then its binary stream, written to
+/// and read from the network's own memory, without a copy between. What is read must meet the same rules as
+/// values of modules (RepresentationLoader::problemOf).
 class RepresentationContent final : public Content {
 public:
   explicit RepresentationContent(const RepresentationLoader& loader);
 
   Representation& value() { return holder_->get(); }
-  /// "", or why what was read last is no value; then value() may be anything.
+  /// "", or why the last bytes read are no value; then value() may be anything.
   const std::string& problem() const { return problem_; }
 
   std::size_t size() const override;

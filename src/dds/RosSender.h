@@ -9,11 +9,11 @@
 
 namespace plumbline::dds {
 
-/// What an agent sends to ROS 2.
+/// The messages that an agent sends to ROS 2.
 enum class RosTopic { joints, inertial, odometry, frames, ball, description };
 
 /// Sends messages of ROS 2 in a thread of its own; of a topic that is sent faster than the network takes it,
-/// the newest.
+/// only the newest.
 class RosSender {
 public:
   /// Topics are /`prefix`joint_states and so on. Throws std::runtime_error.

@@ -7,7 +7,7 @@
 namespace plumbline::dds {
 namespace {
 
-/// Hashes what is told of each value but the value itself.
+/// Hashes the type and label of each value, not the value itself.
 class ShapeStream final : public OutStream {
 public:
   void writeSigned(std::int64_t, unsigned bytes) override { add('i', bytes); }
@@ -23,7 +23,7 @@ public:
   void label(std::string_view name) override {
     for (const char c : name) hash.add(static_cast<unsigned char>(c));
   }
-  // A list that may be of any length tells nothing of its own, nor of its elements where it is empty.
+  // A list of any length adds neither its length nor, where it is empty, its elements.
   void beginList(std::size_t size, bool sized) override { add('[', sized ? 0 : size); }
   void endList() override { add(']', 0); }
 

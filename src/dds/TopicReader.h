@@ -7,7 +7,7 @@
 
 namespace plumbline::dds {
 
-/// What a topic is called, for readers and writers.
+/// The name of a topic, for readers and writers.
 struct TopicName {
   std::string topic;
   std::string type;
@@ -16,12 +16,12 @@ struct TopicName {
   bool lasting = false;   ///< a reader who comes later gets the last sample
 };
 
-/// Takes what arrives, in threads of the network, one sample at a time. No call may throw.
+/// Takes arriving samples one at a time, in threads of the network. No call may throw.
 class Arrivals {
 public:
-  /// Where the next sample is to be read into.
+  /// The content into which the next sample is read.
   virtual Content& place() noexcept = 0;
-  /// It was.
+  /// It was read.
   virtual void arrived() noexcept = 0;
 
 protected:

@@ -37,7 +37,7 @@ public:
   struct Provision {
     std::string thread, representation, provider;
   };
-  /// By thread, as it stands there.
+  /// By thread, in its order.
   std::vector<Provision> provisions() const;
 
   /// By id, "timing:Module:step".

@@ -44,7 +44,7 @@ public:
   CommandLine command(const std::string& name, const std::string& what);
   void whenChosen(std::function<void()> run);
   void requireCommand();
-  /// Options of this command may stand behind its commands, too.
+  /// Options of this command may follow its commands, too.
   void shareOptions();
 
   /// Lines at the end of the help: examples.

@@ -41,9 +41,9 @@ public:
   const CommandOption& byCommas() const;
   /// The variable of the environment that says it where the command line does not.
   const CommandOption& orVariable(const std::string& name) const;
-  /// Sets `given` where the option stands in the line.
+  /// Sets `given` if the option is in the line.
   const CommandOption& notes(bool& given) const;
-  /// Calls its action where it stands, before what follows it is read.
+  /// Calls its action when it is read, before what follows it.
   const CommandOption& atOnce() const;
 
   const CommandOption& check(OptionCheck problem) const;
@@ -51,7 +51,7 @@ public:
   const CommandOption& range(unsigned least, unsigned most) const;
   const CommandOption& range(double least, double most) const;
   const CommandOption& notNegative() const;
-  /// A TCP or UDP port, from 1; portOrFree(): 0, too, which stands for a free one.
+  /// A TCP or UDP port, from 1; portOrFree(): 0, too, which means a free one.
   const CommandOption& port() const;
   const CommandOption& portOrFree() const;
   const CommandOption& oneOf(const std::vector<std::string>& words) const;

@@ -26,7 +26,7 @@ bool anyUsed(const ConfigNode& node) {
   return false;
 }
 
-/// The unknown key that stands first in its file.
+/// The first unknown key in its file.
 void collectUnknown(const ConfigNode& node, Unknown& first) {
   for (const ConfigNode& element : node.elements) {
     if (element.kind == ConfigNode::Kind::map) collectUnknown(element, first);

@@ -54,7 +54,7 @@ public:
   void checkUnknown() const;
   const std::vector<std::string>& directories() const { return directories_; }
 
-  /// A file as it stands on the disk now. While this lives, the thread that made it finds that one; kept, all
+  /// A file as it is on the disk now. While this lives, the thread that made it finds that one; kept, all
   /// do, otherwise the old one stays. Throws ConfigurationError for a file that cannot be read.
   class Trial {
   public:

@@ -3,7 +3,7 @@
 
 namespace plumbline {
 
-/// The folder of the running program's file; "." where the system does not tell.
+/// The folder of the running program's file; "." where the system does not say.
 std::string programFolder();
 
 /// The folder of the configuration, for every program and from any folder. It is the one of `--config`

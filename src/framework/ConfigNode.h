@@ -39,7 +39,7 @@ struct ConfigNode::Entry {
 /// second document, more than 4 MB or 100000 values.
 ConfigNode loadYaml(const std::string& path);
 
-/// One value written as in a YAML file: `0.5`, `[1, 2]`, `"a text"`. `name` stands for it in errors.
+/// One value written as in a YAML file: `0.5`, `[1, 2]`, `"a text"`. `name` is used for it in errors.
 ConfigNode parseYamlValue(const std::string& text, const std::string& name);
 
 }  // namespace plumbline

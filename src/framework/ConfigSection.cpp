@@ -105,7 +105,7 @@ const ConfigNode* ConfigSection::optional(std::string_view key) const {
 const ConfigNode& ConfigSection::required(std::string_view key) const {
   if (const ConfigNode* node = optional(key)) return *node;
   const std::string path = map_->key.empty() ? std::string(key) : map_->key + "." + std::string(key);
-  // A misspelt key is both missing and unknown: name the line it stands in.
+  // A misspelt key is both missing and unknown: name the line it is in.
   const ConfigNode* parent = map_;
   std::string_view name = key;
   for (std::size_t dot = name.find('.'); dot != std::string_view::npos; dot = name.find('.')) {

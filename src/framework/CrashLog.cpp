@@ -97,7 +97,7 @@ void handle(int signal, siginfo_t* info, void*) {
   startDeadline();
   record->signalThread = CrashRecord::currentThread();
   record->callCount = backtrace(record->calls.data(), static_cast<int>(record->calls.size()));
-  // The writer first: whoever should read standard error may be stuck.
+  // The writer first: the reader of standard error may be stuck.
   const char byte = 1;
   [[maybe_unused]] const auto written = write(pipeToWriter, &byte, 1);
   say("died by ");

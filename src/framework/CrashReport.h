@@ -10,8 +10,8 @@ namespace plumbline {
 /// "SIGSEGV" and so on; safe in a signal handler.
 const char* signalName(int signal);
 
-/// Writes the crash log about the process `agent` to `path`, beside first and then moved. Returns false if
-/// that was not possible.
+/// Writes the crash log about the process `agent` to `path`: to another file first, which is then moved.
+/// Returns false if that was not possible.
 bool writeCrashReport(const CrashRecord& record, pid_t agent, const std::string& path);
 
 }  // namespace plumbline

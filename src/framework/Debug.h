@@ -8,8 +8,8 @@
 
 namespace plumbline {
 
-/// A module's debug object: the module's own stopwatches, which stand beside those of its execute and updates
-/// in the timing report and in the debug interface (DebugSite.h holds the rest of that).
+/// A module's debug object: the module's own stopwatches, which are listed with those of its execute and
+/// updates in the timing report and in the debug interface (DebugSite.h holds the rest of that).
 class Debug {
 public:
   /// Measures until it is destroyed.

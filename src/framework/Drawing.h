@@ -14,7 +14,7 @@ enum class DrawingFrame : std::uint8_t { field, robot, torso };
 /// Where robot and torso are, of the thread that calls; the module DrawingFrames says so in each cycle.
 void setDrawingFrames(const Pose2& T_field_robot, const Pose3& T_ground_torso);
 
-/// Colours that can be told apart on grass.
+/// Colours that differ clearly on grass.
 namespace colours {
 inline constexpr shapes::Colour white{255, 255, 255}, black{20, 20, 20}, red{235, 64, 52},
     orange{255, 150, 30}, yellow{255, 225, 60}, green{60, 220, 110}, cyan{70, 215, 230}, blue{80, 140, 255},
@@ -44,7 +44,7 @@ public:
 
   /// The frame of all places that follow.
   void in(DrawingFrame frame);
-  /// All places that follow stand in a frame of their own, which lies there in `frame`.
+  /// All places that follow are in a frame of their own, which lies there in `frame`.
   void in(DrawingFrame frame, const Pose2& T_frame_own);
 
   void circle(const Place& centre, double radius, const shapes::Colour& colour, double thickness = 2);

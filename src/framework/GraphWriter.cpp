@@ -159,7 +159,7 @@ void writeGraph(const std::vector<ThreadPlan>& threads, const std::string& path,
   if (extension != ".dot" && extension != ".svg" && extension != ".pdf" && extension != ".png") {
     throw ConfigurationError(path + ": a graph is written as .dot, .svg, .pdf or .png");
   }
-  // Written beside and moved, so that there is never half a file.
+  // Written to another file and moved, so that there is never half a file.
   const std::string beside = path + ".part" + std::to_string(getpid());
   const std::string dotFile = beside + ".dot";
   std::string error = writeFile(dotFile, graphText(threads, times));

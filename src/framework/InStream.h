@@ -28,7 +28,7 @@ public:
   virtual void readDouble(double& value) = 0;
   virtual void readString(std::string& value) = 0;
   virtual void readRaw(void* data, std::size_t size) = 0;
-  /// `count` numbers to stand one behind the other at `data`, as OutStream::writeBlock wrote them.
+  /// `count` numbers, to be stored one after the other at `data`, as OutStream::writeBlock wrote them.
   virtual void readBlock(NumberType type, void* data, std::size_t count);
 
   virtual void beginObject() = 0;

@@ -65,7 +65,7 @@ private:
     throw ConfigurationError(at.path + ":" + std::to_string(at.line) + ": " + message);
   }
 
-  /// Where something else stands, for an error at `at`.
+  /// Where something else is, for an error at `at`.
   static std::string whereIs(const std::string& path, int line, const ModulesConfigLine& at) {
     return (path == at.path ? "line " : path + ":") + std::to_string(line);
   }
@@ -189,7 +189,7 @@ private:
   std::vector<ModuleInput> inputsOf(const ThreadPlan& thread, const ModulePlan& module) const {
     const ModuleDescription& description = module.loader->description();
     std::vector<ModuleInput> inputs = description.inputs;
-    std::map<const ModulesConfigLine*, const RepresentationLoader*> byLine;  // the lines stand in one vector
+    std::map<const ModulesConfigLine*, const RepresentationLoader*> byLine;  // the lines are in one vector
     for (const auto& [name, line] : providers_[indexOf(thread.name)])
       byLine[line] = registry_.representations().at(name);
     for (const ModuleInputs& all : description.inputsOfKinds) {

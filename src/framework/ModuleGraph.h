@@ -29,7 +29,7 @@ struct CopyPlan {
 struct SpecialPlan {
   std::string name;
   std::vector<const RepresentationLoader*> representations;
-  bool alone = false;  ///< a line of its own, without a representation, stands there
+  bool alone = false;  ///< has a line of its own, without a representation
 };
 
 /// What one thread does in a cycle.
@@ -39,7 +39,7 @@ struct ThreadPlan {
   std::vector<CopyPlan> copies;
   std::vector<SpecialPlan> specials;
   /// In the order of execution: a module comes after all that provide what it requires. Among modules that
-  /// could come next, the one that stands first in modules.cfg does.
+  /// could come next, the one that is first in modules.cfg does.
   std::vector<ModulePlan> modules;
   double rate = 0;  ///< cycles per second that modules.cfg states; 0: none
 

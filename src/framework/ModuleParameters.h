@@ -20,7 +20,7 @@ void configureModule(Module& module, const ModuleDescription& description, Confi
 std::string moduleParameter(const Module& module, const ModuleDescription& description,
                             const std::string& path);
 
-/// Sets a parameter of a running module from text as it would stand in the module's file, between two
+/// Sets a parameter of a running module from text as it would be in the module's file, between two
 /// executions. Throws ConfigurationError "Module.path must be ..." and leaves the old value if the text is no
 /// value of the parameter, out of its range, or refused by the module.
 void setModuleParameter(Module& module, const ModuleDescription& description, const std::string& path,

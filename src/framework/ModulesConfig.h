@@ -10,7 +10,7 @@ struct ModulesConfigLine {
   int line;
   std::string provider;
   std::string representation;  ///< empty: only executed
-  std::string path{};          ///< of the file that it stands in
+  std::string path{};          ///< of the file that has it
 };
 
 /// A section `[name priority]` or `[name priority rate]`.
@@ -23,7 +23,7 @@ struct ThreadConfig {
   double rate = 0;  ///< cycles that it shall have per second [1/s]; 0: not stated
   std::vector<ModulesConfigLine> lines;
   std::string path{};  ///< of the file that the section begins in
-  /// Among modules that could come next, one that stands earlier here does, before any other; empty: the
+  /// Among modules that could come next, the one that is earlier here comes first; empty: the
   /// lines decide alone. A replay keeps the order of its recording by it.
   std::vector<std::string> order{};
 };

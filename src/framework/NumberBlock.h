@@ -13,7 +13,7 @@ struct NumberType {
   unsigned bytes;
 };
 
-/// Numbers that may stand one behind the other in a block of memory: any bytes are a value of theirs, which
+/// Numbers that may follow each other in a block of memory: any bytes are a valid value, which
 /// is not so for bool and enums.
 template <typename T>
 concept BlockNumber =

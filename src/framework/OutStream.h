@@ -20,9 +20,9 @@ public:
   virtual void writeFloat(float value) = 0;
   virtual void writeDouble(double value) = 0;
   virtual void writeString(std::string_view value) = 0;
-  /// A block of memory as it stands.
+  /// A block of memory as it is.
   virtual void writeRaw(const void* data, std::size_t size) = 0;
-  /// `count` numbers that stand one behind the other at `data`: the same as each by itself, in one piece
+  /// `count` numbers, stored one after the other at `data`: the same as each by itself, in one piece
   /// where a stream can do that.
   virtual void writeBlock(NumberType type, const void* data, std::size_t count);
 
@@ -33,7 +33,7 @@ public:
   /// `size` elements follow, until endList. The reader does not know `size` unless `sized`.
   virtual void beginList(std::size_t size, bool sized) = 0;
   virtual void endList() = 0;
-  /// True if labels, objects and lists that are not `sized` leave no trace: then numbers that stand in
+  /// True if labels, objects and lists that are not `sized` leave no trace: then numbers in
   /// several of them may come as one block.
   virtual bool flat() const { return false; }
 };

@@ -3,8 +3,8 @@
 
 namespace plumbline {
 
-/// A folder that is being written beside its place. It goes with this object, whatever was thrown meanwhile,
-/// unless it was kept.
+/// A folder that is being written next to its final place. It is removed with this object, also after an
+/// exception, unless it was kept.
 class PartialFolder {
 public:
   explicit PartialFolder(std::filesystem::path path);

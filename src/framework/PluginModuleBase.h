@@ -10,7 +10,7 @@
 
 namespace plumbline {
 
-/// What a module is told when it is made.
+/// What a module gets when it is made.
 struct ModuleContext {
   std::string module;
   std::string thread;

@@ -20,8 +20,8 @@ namespace plumbline {
 class CrashRecord;
 
 /// One thread of an agent: its representations, its modules in their order, and the cycle over them. Runs
-/// in whatever thread calls it. A module that provides a number that is not finite is made anew at the end of
-/// the cycle, and what it provides keeps the last good value.
+/// in whatever thread calls it. A module that provides a number that is not finite is replaced by a new one
+/// at the end of the cycle, and what it provides keeps the last good value.
 class Process {
 public:
   /// Makes representations and modules; they are connected by bind().
@@ -38,8 +38,8 @@ public:
   /// On the thread that calls cycle(), around all cycles; a second call of either does nothing.
   void start();
   void finish();
-  /// One cycle, unless a special module wants to wait or to begin anew. Whatever a module throws comes out as
-  /// std::runtime_error naming the step; a ConfigurationError as it is.
+  /// One cycle, unless a special module wants to wait or to start again. Exceptions of a module come out as
+  /// std::runtime_error naming the step, a ConfigurationError as it is.
   void cycle();
 
   const std::string& name() const { return info_.name; }

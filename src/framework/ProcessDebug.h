@@ -18,7 +18,7 @@ namespace plumbline {
 /// beginning of a cycle; and its stopwatches as `timing:MODULE:step` and `timing:MODULE:name`.
 class ProcessDebug {
 public:
-  /// All must outlive this; `modules` are those of `plan`, in its order, and may be made anew in between.
+  /// All must outlive this; `modules` are those of `plan`, in its order, and may be replaced in between.
   ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const ThreadInfo& info,
                const std::vector<std::unique_ptr<Module>>& modules, const TimingPlugin& timing);
   ~ProcessDebug();
@@ -41,7 +41,7 @@ public:
                    const std::function<std::string(const std::string&)>& reload);
   /// Between cycles: all representations can be looked at as they are.
   void lookAround(const ThreadInfo& info);
-  /// Gives a module that was made anew, and configured, the parameters that were set while the old one ran.
+  /// Gives a new module, which was configured, the parameters that were set while the old one ran.
   void setAgain(std::size_t module, Module& next);
   /// That module, or its parameters, took the place of the old one's.
   void accepted(std::size_t module);

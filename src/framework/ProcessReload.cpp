@@ -1,4 +1,4 @@
-// The life of a process's modules: made anew one by one, and with configuration files that have changed.
+// The life of a process's modules: replaced one by one, and when configuration files have changed.
 #include "framework/ConfigFile.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Process.h"

@@ -20,7 +20,7 @@ public:
   /// How many of that kind were kept back since the last that was let through (mostly 0); nothing: keep this
   /// one back, too.
   std::optional<unsigned> admit(std::string_view kind, double now);
-  /// The kinds of which some were kept back and none came for a second, and how many; each is told once.
+  /// The kinds of which some were kept back and none came for a second, and how many; each is reported once.
   std::vector<std::pair<std::string, unsigned>> takeOverdue(double now);
 
 private:

@@ -8,7 +8,7 @@ namespace plumbline {
 
 /// The labelled text form: `{[a] 0 [b] 3 [v] 5.820000 [vec] {[x] 2.000000 [y] -1.500000 }}`. Numbers have six
 /// decimals unless that would change the value: then as many digits as it takes to read the same value back.
-/// Strings stand in double, characters in single quotes, with backslash escapes.
+/// Strings are in double, characters in single quotes, with backslash escapes.
 class TextOutStream final : public OutStream {
 public:
   /// Appends to `target`.

@@ -20,7 +20,7 @@ void addLine(std::string& text, const std::string& name, const Stopwatch& watch)
   text += numbers;
 }
 
-/// The modules' own stopwatches, "timing:Module:name", stand between those of their steps.
+/// The modules' own stopwatches, "timing:Module:name", are listed between those of their steps.
 void addOwn(std::string& text, const TimingPlugin& timing, const std::string& module,
             const AgentStopwatches& stopwatches) {
   const std::string prefix = "timing:" + module + ":";

@@ -3,7 +3,7 @@
 
 namespace plumbline {
 
-/// Writes the whole file beside its place, syncs it to the disk and renames it there: a reader never sees
+/// Writes the whole file under another name, syncs it to the disk and renames it: a reader never sees
 /// half of it, nor does anybody after a loss of power. Throws std::runtime_error "cannot write PATH: REASON".
 void writeFile(const std::string& path, const std::string& content);
 

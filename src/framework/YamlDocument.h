@@ -5,8 +5,8 @@
 
 namespace plumbline {
 
-/// The one document of a YAML text; `path` stands in errors. Every reader of YAML goes through this, because
-/// yaml-cpp's own Load leaves out all that follows the first document: what stands behind a `---`, and all
+/// The one document of a YAML text; `path` is named in errors. Every reader of YAML goes through this,
+/// because yaml-cpp's own Load ignores all that follows the first document: what comes after a `---`, and all
 /// lines below an indented first key. Null for an empty text. Throws ConfigurationError `path:line: ...`.
 YAML::Node parseYaml(const std::string& text, const std::string& path);
 

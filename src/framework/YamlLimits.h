@@ -4,9 +4,9 @@
 
 namespace plumbline {
 
-/// How much YAML a reader takes, whoever wrote it.
+/// How much YAML a reader takes from anyone.
 struct YamlLimits {
-  std::size_t values = 100000;  ///< scalars, lists and maps, where an alias counts as all that it stands for
+  std::size_t values = 100000;  ///< scalars, lists and maps, where an alias counts as all that it refers to
   int depth = 32;               ///< lists and maps within each other
 };
 

@@ -41,7 +41,7 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-/// The first word, which is taken off.
+/// Removes and returns the first word.
 std::string_view word(std::string_view& text) {
   text = trimmed(text);
   const std::string_view result = text.substr(0, text.find_first_of(" \t"));
@@ -160,14 +160,14 @@ std::string_view commandHelp() {
          "dr NAME [once|off]          switches a block of code or a drawing on, on for once, off\n"
          "list [PREFIX]               all names that begin so, and what each is\n"
          "complete [COMMAND] [PREFIX] how a name that begins so may go on: any, or those the command takes\n"
-         "reset MODULE                makes a module anew; what was set of its parameters stays\n"
-         "reload FILE                 reads config/FILE.yaml anew; a wrong one is refused, the old stays\n"
+         "reset MODULE                restarts a module; parameters that were set keep their values\n"
+         "reload FILE                 reads config/FILE.yaml again; if it has an error, the old one stays\n"
          "providers [PREFIX]          which module provides what now\n"
          "timing [PREFIX]             what each module takes, or those whose names begin so\n"
          "graph                       the modules by threads: what each provides, reads and takes\n"
          "about [PREFIX]              parameters whose names begin so: type, unit, range, what they do\n"
          "format text|json            how answers are written\n"
-         "commands                    the commands and what stands behind each\n"
+         "commands                    the commands, each with its arguments\n"
          "help [COMMAND]              this\n"
          "#TAG COMMAND                each line of the answer begins with #TAG, the last is \"#TAG .\"\n";
 }

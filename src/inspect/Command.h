@@ -8,7 +8,7 @@
 
 namespace plumbline::inspect {
 
-/// A line of a client, taken apart.
+/// A line of a client, split into its parts.
 struct Command {
   enum class Verb {
     get,
@@ -41,7 +41,7 @@ struct Command {
 
 Command parseCommand(std::string_view line);
 
-/// What may stand behind a command's word.
+/// The argument that a command may have.
 enum class Argument {
   nothing,
   value,           ///< what can be read
@@ -59,16 +59,16 @@ enum class Argument {
   command,         ///< of help
 };
 
-/// A command as `commands` tells it: "get VALUE".
+/// A command as `commands` prints it: "get VALUE".
 struct CommandForm {
   std::string_view word, usage;
   Argument argument;
   Command::Verb verb;
-  bool needsName = false;  ///< what stands behind it may not be left out
+  bool needsName = false;  ///< its argument may not be left out
 };
 std::span<const CommandForm> commandForms();
 
-/// What `help` says.
+/// The text of `help`.
 std::string_view commandHelp();
 
 }  // namespace plumbline::inspect

@@ -14,7 +14,7 @@ void DrawingViewer::show(const std::string& id, const Drawing& drawing) const {
   const std::string_view name =
       id.starts_with(prefix) ? std::string_view(id).substr(prefix.size()) : std::string_view(id);
   const bool right = owner_.right.load();
-  // Its end is in no other name: viewers show all sets that begin with the one they are told.
+  // No other name contains its end: viewers show all sets that begin with the name they are sent.
   const std::string set = fmt::format("{}.{:02}.{}.", right ? "right" : "left", owner_.number.load(), name);
   sender_.send(simspark::roboVizDatagrams(set, drawing.shapes(), right));
 }

@@ -245,7 +245,7 @@ void Inspector::run(int client, const Command& command) {
     return any ? succeed(client, command.tag) : fail(client, command.tag, target->id + " is not on");
   }
   const bool once = command.verb == Verb::runOnce || target->kind == DebugKind::codeOnce;
-  // A block may have something to say until it is switched off, a drawing not.
+  // A block may still have output when it is switched off, a drawing not.
   if (!once) draws ? succeed(client, command.tag) : acknowledge(client, command.tag);
   start({client, draws && !once ? "" : command.tag, *target, Use::run, once, !once},
         [&](std::uint64_t number) -> std::shared_ptr<DebugRequest> {

@@ -39,10 +39,10 @@ public:
   Inspector(const Inspector&) = delete;
   Inspector& operator=(const Inspector&) = delete;
 
-  /// Where drawings are shown; nowhere, and then they cannot be switched on, until this is called.
+  /// Sets where drawings are shown; before this call, drawings cannot be switched on.
   void showDrawings(Show show) { show_ = std::move(show); }
 
-  /// A client; close() ends what it asked for.
+  /// A client; close() ends all that it requested.
   int open(Send send);
   void close(int client);
 

@@ -1,4 +1,4 @@
-// How an Inspector answers: what is known at once, and what the agent's threads say.
+// Answers of an Inspector: its own, and those of the agent's threads.
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
@@ -185,7 +185,7 @@ void Inspector::readStopwatches(Clock::time_point now) {
   }
   for (const std::uint64_t number : due) {
     Pending& pending = pending_.at(number);
-    // A stopwatch belongs to no cycle: half a second is what a person follows.
+    // A stopwatch belongs to no cycle: a person can follow half a second.
     const double interval = pending.interval.seconds > 0 ? pending.interval.seconds : 0.5;
     pending.answered = true;
     pending.deadline = now + std::chrono::milliseconds(static_cast<int>(1000 * interval));

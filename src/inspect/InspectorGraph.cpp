@@ -1,4 +1,4 @@
-// How an Inspector tells what the agent is made of: threads, modules, parameters.
+// How an Inspector shows what the agent is made of: threads, modules, parameters.
 #include <fmt/format.h>
 
 #include <cmath>

@@ -1,4 +1,4 @@
-// How an Inspector helps who types: commands, what may stand behind each, and the table of times.
+// Help for a person who types: commands, the arguments of each, and the table of times.
 #include <algorithm>
 #include <set>
 

@@ -10,13 +10,13 @@
 
 namespace plumbline::inspect {
 
-/// How often a value is sent: every so many passages of its point, or so many seconds; 0: not by that.
+/// How often a value is sent: every N passages of its point, or every N seconds; 0: not by that.
 struct Interval {
   std::uint64_t cycles = 1;
   double seconds = 0;
 };
 
-/// Says when so much time has passed; from any thread.
+/// Says whether this time has passed; from any thread.
 class Pace {
 public:
   explicit Pace(double seconds) : seconds_(seconds) {}
@@ -32,7 +32,7 @@ class ReadRequest final : public DebugRequest {
 public:
   ReadRequest(std::uint64_t number, std::shared_ptr<Outbox> outbox, bool once, Interval interval);
   void serve(DebugValue& value) noexcept override;
-  /// Nothing is read for so long [s]; any thread.
+  /// Nothing is read for this time [s]; any thread.
   void pause(double seconds);
 
 private:
@@ -66,7 +66,7 @@ private:
   std::atomic<bool> ended_{false}, answered_{false};
 };
 
-/// Takes what a drawing draws, once or each `seconds`; `done` after the first time.
+/// Takes the output of a drawing, once or each `seconds`; `done` after the first time.
 class DrawRequest final : public DebugRequest {
 public:
   static constexpr double seconds = 0.04;  ///< as often as viewers look

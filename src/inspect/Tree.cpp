@@ -135,7 +135,7 @@ Tree* element(Tree& tree, std::string_view digits, std::string& error) {
   std::size_t index = 0;
   const auto read = std::from_chars(digits.data(), digits.data() + digits.size(), index);
   if (read.ec != std::errc{} || read.ptr != digits.data() + digits.size())
-    error = "an element's number stands in [], not \"" + std::string(digits.substr(0, 20)) + '"';
+    error = "an element's number must be in [], not \"" + std::string(digits.substr(0, 20)) + '"';
   else if (!tree.group)
     error = "is a single value and has no element [" + std::to_string(index) + ']';
   else if (index >= tree.parts.size())

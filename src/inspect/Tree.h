@@ -17,15 +17,15 @@ struct Tree {
 /// Groups within each other; the text of a client may hold any number.
 inline constexpr unsigned maxTreeDepth = 32;
 
-/// Reads the text form (framework/TextStream.h). A leaf is a word, or stands in quotes. Returns "" or what is
-/// wrong in one line.
+/// Reads the text form (framework/TextStream.h). A leaf is a word, or is in quotes. Returns "" or the error
+/// in one line.
 std::string parseTree(std::string_view text, Tree& tree);
 /// The text form in one line.
 std::string treeText(const Tree& tree);
 nlohmann::json treeJson(const Tree& tree);
 
-/// Where `path` leads from a tree: ".relative.x", ".joints[2]", "" to itself. Null, and `error` in one line
-/// that names what there is, if it leads nowhere.
+/// The part of a tree at `path`: ".relative.x", ".joints[2]"; "" is the tree itself. If there is none: null,
+/// and `error` in one line that names the existing parts.
 Tree* findPart(Tree& tree, std::string_view path, std::string& error);
 
 /// The paths one step below the tree: ".x", ".y" or "[0]", "[1]"; at most `most`.

@@ -32,7 +32,7 @@ namespace {
 using namespace plumbline;
 
 constexpr const char* defaultPlatform = "simspark";
-constexpr int faultStatus = 1;  // of what is no mistake of the user, as a server that went away
+constexpr int faultStatus = 1;  // not a mistake of the user: a server that went away
 
 struct Options {
   std::string platform = defaultPlatform, config, modules, field, graph, stats, motion;
@@ -116,7 +116,7 @@ void writeStats(const Controller& controller, const std::string& path) {
   writeFile(path, json.dump(2) + "\n");
 }
 
-/// A modules.cfg with the module MotionPlayer in the place of whoever provides the MotionRequest.
+/// A modules.cfg in which the module MotionPlayer replaces the one that provides the MotionRequest.
 ModulesConfig withMotionPlayer(const std::string& path) {
   ModulesConfig modules = readModulesConfig(path);
   bool replaced = false;
@@ -150,7 +150,7 @@ bool hasLog(const Controller& controller) {
   });
 }
 
-// A modules.cfg that was cut off is still a valid graph: of an agent that plays no part.
+// A truncated modules.cfg is still a valid graph, but of an agent that does nothing.
 void requirePlatform(const Controller& controller, const Platform& platform,
                      const std::string& modulesConfig) {
   for (const auto& [name, what] : platform.neededModules())
@@ -203,7 +203,7 @@ int runAgent(const Options& options, const Platform& platform) {
   if (options.log.records() && !hasLog(controller))
     throw ConfigurationError(setup.modulesConfig +
                              ": no line has the special module log, so nothing is recorded");
-  // Who looks at a log in a page wants to be there when it begins.
+  // A person who watches a log in a page wants to see its beginning.
   AgentLogOptions logged = options.log;
   if (options.serves && !logged.records()) logged.replayed.paused = true;
   const auto log = makeLog(logged, controller, setup.configDirectories, tell);

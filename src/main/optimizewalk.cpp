@@ -64,7 +64,7 @@ Task taskOf(const std::string& name) {
   throw std::invalid_argument("no task " + name);
 }
 
-/// Thrown out of a robot's cycle by Ctrl-C.
+/// Thrown in a robot's cycle after Ctrl-C.
 struct Stopped {};
 
 std::string textOf(const std::string& path) {
@@ -77,8 +77,8 @@ std::string checksum(const std::string& text) {
                      crc32(0, reinterpret_cast<const Bytef*>(text.data()), static_cast<uInt>(text.size())));
 }
 
-/// All that decides what is found. The walk to begin with is in the checkpoint itself where the search
-/// overwrites it.
+/// All that determines the result. The first walk is in the checkpoint itself if the search overwrites its
+/// file.
 std::string markOf(const Options& options) {
   const TrainingSetup& setup = options.setup;
   std::string mark = fmt::format(
@@ -102,7 +102,7 @@ std::string markOf(const Options& options) {
   return mark;
 }
 
-/// A search that goes on from its checkpoint, if it was interrupted.
+/// A search that continues from its checkpoint if it was interrupted.
 WalkGaits search(const WalkGaits& gaits, TrainingSetup setup, WalkCheckpoint& checkpoint,
                  const std::function<void(const std::string&, const WalkGaits&)>& progress) {
   return checkpoint.stage([&] {
@@ -112,8 +112,8 @@ WalkGaits search(const WalkGaits& gaits, TrainingSetup setup, WalkCheckpoint& ch
   });
 }
 
-/// Searches and chooses: the mixture first, then each direction's sprint between what was there and what is
-/// found, then all together.
+/// Searches and chooses: first the mixture, then each direction's sprint (the old one or the one found), then
+/// all together.
 void chooseAll(Options& options, WalkGaits gaits, WalkCheckpoint& checkpoint,
                const std::function<void(const WalkGaits&)>& write) {
   TrainingSetup& setup = options.setup;
@@ -124,7 +124,7 @@ void chooseAll(Options& options, WalkGaits gaits, WalkCheckpoint& checkpoint,
     return checkpoint.stage(work);
   };
   gaits = stage("the mixture", [&] { return chooseMixture(*robot, gaits, options.choice, tell); });
-  // Each sprint has to hold alone; what they do together comes last.
+  // Each sprint must be good alone; their combination is tested last.
   const WalkGaits none = cutSprints(gaits, 0);
   WalkGaits chosen = none;
   for (const std::string& name : options.tasks) {
@@ -153,7 +153,7 @@ void tryTasks(const Options& options, const WalkGaits& gaits) {
   }
 }
 
-/// The walk to begin with.
+/// The first walk of the search.
 WalkGaits firstWalk(const Options& options) {
   const ConfigFile file("walking", {configFolder(), options.from});
   WalkGaits gaits = readWalkGaits(file.root());
@@ -220,7 +220,7 @@ void run(Options& options, const StopSignal& stop) {
       whole.checkUnknown();
       return walk;
     };
-    // A mistake in it is told before the minutes of choosing, not after them.
+    // A mistake in it is reported before the minutes of choosing, not after them.
     if (!options.over.empty()) withOver(options.from);
     chooseAll(options, gaits, checkpoint, write);
     if (!options.over.empty()) write(withOver(std::filesystem::path(options.output).parent_path().string()));
@@ -306,7 +306,7 @@ int runProgram(int argc, char** argv) {
   app.flag("--try", options.tryOnly, "only measures the walk at the tasks, and writes nothing");
   app.option("--output", options.output, "file to write; default: the type's in config/");
   app.footer(
-      "Stopped by Ctrl-C or a loss of power it goes on where it was: FILE.search beside the output keeps "
+      "Stopped by Ctrl-C or a loss of power it goes on where it was: FILE.search next to the output keeps "
       "what was found,\n"
       "and the same command takes it up. scripts/optimise_walks.sh repeats the search for all types.\n"
       "Examples:\n"

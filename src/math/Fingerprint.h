@@ -3,7 +3,7 @@
 
 namespace plumbline {
 
-/// A number that stands for bytes (FNV-1a, 64 bits): the same on every machine, no secret.
+/// A number computed from bytes (FNV-1a, 64 bits): the same on every machine, no secret.
 class Fingerprint {
 public:
   void add(unsigned char byte) { value_ = (value_ ^ byte) * 1099511628211ull; }

@@ -5,7 +5,7 @@
 namespace plumbline {
 
 /// Turns `b` into the x of A x = b, for a symmetric positive definite A (N x N; only its lower half is read).
-/// False where A is not positive definite as far as rounding can tell; b is worth nothing then. Cholesky's
+/// False where A is not positive definite as far as rounding shows; b is then meaningless. Cholesky's
 /// factors in plain loops: a decomposition of Eigen takes one to six seconds to compile for each size.
 template <int N>
 bool solvePositive(Eigen::Matrix<double, N, N> A, Eigen::Matrix<double, N, 1>& b) {

@@ -12,7 +12,7 @@ constexpr double landmarkWorth = 1.0;
 constexpr double turnCost = 0.4;     // landmarks a turn of 1 rad has to bring
 constexpr double offBallCost = 0.8;  // landmarks 1 rad away from the ball has to bring
 
-/// Where the robot sees them, left of its front [rad].
+/// Directions in which the robot sees them, left of its front [rad].
 std::vector<double> bearings(const Pose2& robot, const std::vector<Vec2>& landmarks) {
   const Pose2 toRobot = robot.inverse();
   std::vector<double> angles;
@@ -65,7 +65,7 @@ HeadAngles lookAtBall(const Vec2& ball, const std::optional<Pose2>& robot, const
 }
 
 HeadAngles scan(double seconds, double from, double firstSide, const GazeParameters& p) {
-  // A triangle wave; `way` is what the head would have gone from the far side without turning back.
+  // A triangle wave; `way` is the path of the head from the far side, as if it never turned back.
   const double start = std::clamp(firstSide * from, -p.scanYaw, p.scanYaw) + p.scanYaw;
   const double way = std::fmod(start + 4 * p.scanYaw * seconds / p.scanSeconds, 4 * p.scanYaw);
   const double wave = way < 2 * p.scanYaw ? way - p.scanYaw : 3 * p.scanYaw - way;

@@ -34,7 +34,7 @@ void KeyframePlayer::step(double seconds, bool still) {
     if (ratio < 1) return;
     const bool settled = still || elapsed_ + rounding >= frame.seconds + frame.settleSeconds;
     if (frame.settleSeconds > 0 && !settled) return;
-    // What a keyframe has left over of the cycle belongs to the next one, except after a wait.
+    // The rest of a cycle after a keyframe belongs to the next keyframe, except after a wait.
     const double left = std::max(0.0, elapsed_ - frame.seconds);
     elapsed_ = frame.settleSeconds > 0 ? 0 : left;
     ++index_;

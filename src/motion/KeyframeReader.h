@@ -26,7 +26,7 @@ std::string bothSides(const RobotModel& robot, JointId left);
 KeyframeMotion readKeyframeFile(const std::filesystem::path& file, const RobotModel& robot,
                                 const std::vector<std::filesystem::path>& directories);
 
-/// The same from a text; file says where it stands, in errors and for the motion's name.
+/// The same from a text; file is its name in errors and for the motion's name.
 KeyframeMotion readKeyframeText(const std::string& text, const std::filesystem::path& file,
                                 const RobotModel& robot,
                                 const std::vector<std::filesystem::path>& directories);

@@ -17,7 +17,7 @@ namespace plumbline::motion {
 namespace {
 
 constexpr std::size_t width = 110;   // of a line with new joints
-constexpr double sameNumber = 5e-4;  // what three decimals cannot tell apart
+constexpr double sameNumber = 5e-4;  // what three decimals cannot distinguish
 
 std::string number(double value) {
   char digits[64];
@@ -36,7 +36,7 @@ struct Entry {
   double value;
 };
 
-/// Takes both sides under one name where they are mirror images.
+/// Writes both sides under one name if they are mirror images.
 std::vector<Entry> entriesOf(std::map<std::string, double> degrees, const RobotModel& robot) {
   std::vector<Entry> entries;
   for (int j = 0; j < maxJoints; ++j) {
@@ -57,7 +57,7 @@ std::vector<Entry> entriesOf(std::map<std::string, double> degrees, const RobotM
   return entries;
 }
 
-/// A motion's text, of which pieces are replaced; the pieces' places are those of the text as it was.
+/// A motion's text in which pieces are replaced; places of pieces are those in the original text.
 class Editor {
 public:
   Editor(const std::string& text, const std::string& path, const RobotModel& robot)
@@ -116,7 +116,7 @@ private:
   }
   static std::size_t placeOf(const YAML::Node& node) { return static_cast<std::size_t>(node.Mark().pos); }
 
-  /// Behind the bracket that closes the one at a place.
+  /// The place after the bracket that closes the one at a place.
   std::size_t closing(std::size_t open) const {
     int depth = 0;
     char quote = 0;
@@ -154,7 +154,7 @@ private:
     blocks_.front().begin = commentsAbove(first);
   }
 
-  /// The first line of the comments that stand right above a line.
+  /// The first line of the comments right above a line.
   std::size_t commentsAbove(std::size_t line) const {
     while (line > 0) {
       const std::size_t above = lineBegin(line - 1);
@@ -190,7 +190,7 @@ private:
     return result + "}";
   }
 
-  /// What a key of the file's keyframe becomes: nothing, one entry or both sides apart.
+  /// The new form of a key of the file's keyframe: nothing, one entry, or one for each side.
   std::vector<Entry> wanted(const std::string& key, std::map<std::string, double>& rest) const {
     std::map<std::string, double> own;
     for (const std::string& name : {key, "L" + key, "R" + key}) {

@@ -8,7 +8,7 @@
 
 namespace plumbline::motion {
 
-/// A keyframe as somebody wants it to be: seconds, and degrees by the joints' names.
+/// A keyframe as a person edits it: seconds, and degrees by the joints' names.
 struct KeyframeDraft {
   int from = -1;  ///< index of the file's keyframe that it was; -1: new
   double seconds = 0, settleSeconds = 0;

@@ -27,7 +27,7 @@ public:
 
   const std::vector<SearchedNumber>& list() const { return list_; }
   /// The motion with these numbers as its file has it: rounded as motionFile rounds, without keyframes that
-  /// take less than half a cycle [s], as their time is as good as nothing.
+  /// take less than half a cycle [s], which have no effect.
   KeyframeMotion written(const Eigen::VectorXd& values, double cycle) const;
 
 private:

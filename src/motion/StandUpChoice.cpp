@@ -32,7 +32,7 @@ void StandUpChoice::learn(const StandUpParameters& parameters, const std::vector
 }
 
 const std::string& StandUpChoice::next(const StandUpParameters& parameters, LyingOn how, bool again) {
-  // What follows a roll is the same try as the roll.
+  // The motion after a roll belongs to the same try.
   if (!again)
     failed_ = 0;
   else if (!rolled_)

@@ -37,7 +37,7 @@ std::optional<MissingStandUp> missingStandUp(const StandUpParameters& parameters
 
 enum class LyingOn { front, back, side };
 
-/// What a lying robot lies on, by the world's vertical in the torso frame (unit): as FallDetector has it.
+/// The side on which a robot lies, by the world's vertical in the torso frame (unit): as FallDetector has it.
 LyingOn lyingOn(const Vec3& up);
 
 /// Which motion a lying robot plays next: the fast one first, then in turn the other one and the fast one, as
@@ -49,7 +49,7 @@ public:
 
   /// The next motion's name. again: the robot lies again soon after the last one.
   const std::string& next(const StandUpParameters& parameters, LyingOn how, bool again);
-  /// What next() chose last was a motion for the side: the robot is to lie after it, and stands up at once.
+  /// The last choice of next() was a motion for the side: the robot lies after it, and stands up at once.
   bool rolled() const { return rolled_; }
   /// Forgets the tries before, not the motions.
   void forget();

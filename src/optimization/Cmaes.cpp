@@ -259,7 +259,7 @@ void Cmaes::visitState(Archive&& archive) {
 }
 
 std::string Cmaes::save() const {
-  if (!savesItself()) return Optimizer::save();
+  if (!hasCheckpoint()) return Optimizer::save();
   std::string bytes;
   Writer writer{bytes};
   const std::int64_t header[] = {0x316165616d43, dimension(), population(), evaluations(), generations()};
@@ -272,7 +272,7 @@ std::string Cmaes::save() const {
 }
 
 void Cmaes::restore(const std::string& state) {
-  if (!savesItself()) return Optimizer::restore(state);
+  if (!hasCheckpoint()) return Optimizer::restore(state);
   Reader reader{state};
   std::int64_t header[5];
   for (std::int64_t& number : header) reader.number(number);

@@ -41,7 +41,7 @@ protected:
   void sample(Eigen::MatrixXd& candidates) override;
   void update(std::span<const double> costs, std::span<const int> order) override;
   StopReason converged() const override;
-  bool savesItself() const override { return ahead() == 1; }
+  bool hasCheckpoint() const override { return ahead() == 1; }
   void forget() override { drawn_.pop_front(); }
 
 private:

@@ -97,7 +97,7 @@ void Optimizer::tell(std::span<const double> costs) {
                                 std::to_string(open_.front().cols()) + " candidates");
   last_ = std::move(open_.front());
   open_.pop_front();
-  if (!savesItself()) costs_.insert(costs_.end(), costs.begin(), costs.end());
+  if (!hasCheckpoint()) costs_.insert(costs_.end(), costs.begin(), costs.end());
   std::vector<double> clean(costs.begin(), costs.end());
   for (double& cost : clean)
     if (std::isnan(cost)) cost = std::numeric_limits<double>::infinity();

@@ -118,7 +118,7 @@ protected:
   /// A reason to stop of its own, asked after each update.
   virtual StopReason converged() const { return StopReason::none; }
   /// Whether it has save() and restore() of its own, so that costs need not be kept.
-  virtual bool savesItself() const { return false; }
+  virtual bool hasCheckpoint() const { return false; }
 
   const StopCriteria& stop() const { return stop_; }
   /// Generations drawn, evaluated or not.

@@ -11,7 +11,7 @@ namespace plumbline::record {
 
 /// One file of a log while it is written: an SQLite file in the schema of rosbag2 (version 4), which ROS 2's
 /// tools read. It has three additional tables: the cycles, the meaning of each topic, and properties of the
-/// log. A writer that is killed loses what was not committed and nothing else.
+/// log. A writer that is killed loses only what was not committed.
 class BagFile {
 public:
   static constexpr std::int64_t formatVersion = 1;
@@ -23,7 +23,7 @@ public:
   void add(std::size_t thread, std::size_t topic, std::string_view message);
 
   void commit();
-  /// Keeps a word about the log, as how many cycles are missing.
+  /// Stores a property of the log, for example the number of missing cycles.
   void note(std::string_view key, std::string_view value);
   /// Commits, and leaves one file alone.
   void finish();

@@ -4,7 +4,7 @@
 
 namespace plumbline::record {
 
-static_assert(std::endian::native == std::endian::little, "numbers are copied as they stand");
+static_assert(std::endian::native == std::endian::little, "numbers are copied as they are");
 
 namespace {
 constexpr char littleEndian[CdrOutStream::headerSize] = {0, 1, 0, 0};

@@ -9,8 +9,8 @@
 namespace plumbline::record {
 
 /// Writes values in CDR, little endian, as ROS 2 messages are on the wire: four bytes that say so, then each
-/// number at a multiple of its size. Lists carry their length, arrays and objects nothing. Messages stand one
-/// behind the other in a buffer that is kept and grows.
+/// number at a multiple of its size. Lists carry their length, arrays and objects nothing. Messages follow
+/// each other in a buffer that is kept and grows.
 class CdrOutStream final : public OutStream {
 public:
   static constexpr std::size_t headerSize = 4;

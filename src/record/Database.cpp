@@ -20,7 +20,7 @@ Database::Database(const std::string& path, Mode mode) : path_(path) {
   const int flags = mode == Mode::create ? SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE : SQLITE_OPEN_READWRITE;
   int status = sqlite3_open_v2(path.c_str(), &handle_, flags | SQLITE_OPEN_NOMUTEX, nullptr);
   if (status == SQLITE_OK && mode == Mode::read && sqlite3_db_readonly(handle_, "main") == 1) {
-    // In a folder where nothing may be written what is unfinished stays unread.
+    // In a folder that may not be written to, unfinished data stay unread.
     sqlite3_close(handle_);
     handle_ = nullptr;
     const std::string uri = "file:" + path + "?immutable=1";

@@ -33,8 +33,8 @@ private:
   sqlite3* handle_ = nullptr;
 };
 
-/// A prepared statement; values are bound in the order of its question marks and stay the caller's until the
-/// next step.
+/// A prepared statement; values are bound in the order of its question marks; the caller keeps them valid
+/// until the next step.
 class Statement {
 public:
   Statement(Database& database, const std::string& sql);
@@ -51,7 +51,7 @@ public:
   }
   /// True if there is a row.
   bool step();
-  /// All of a statement that returns no rows.
+  /// Runs a statement that returns no rows.
   void run() {
     while (step()) {
     }

@@ -40,7 +40,7 @@ private:
   void walkList(const Schema& element) {
     const std::size_t length = path_.size();
     in_.beginList();
-    // Elements are visited as they come; how many there are is known at the end.
+    // Elements are visited as they come; their number is known at the end.
     std::uint64_t count = 0;
     while (in_.nextElement()) {
       path_ += '[' + std::to_string(count++) + ']';

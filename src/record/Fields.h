@@ -17,9 +17,9 @@ std::string fieldText(const FieldValue& value);
 /// A number or truth value; NaN for a text.
 double fieldNumber(const FieldValue& value);
 
-/// Calls visitor(path, value) for each value of a message: `.relative.x`, `.angles[3]`; behind the elements
-/// of a list comes how many there are, `.names.length`. Throws std::runtime_error where the message does not
-/// have this form.
+/// Calls visitor(path, value) for each value of a message: `.relative.x`, `.angles[3]`; after the elements
+/// of a list comes their number, `.names.length`. Throws std::runtime_error if the message does not have this
+/// form.
 using FieldVisitor = std::function<void(const std::string& path, const FieldValue& value)>;
 void visitFields(const Schema& schema, std::string_view message, const FieldVisitor& visitor);
 

@@ -39,7 +39,7 @@ bool alike(const FieldValue& a, const FieldValue& b, double tolerance) {
   return tolerance > 0 && distance <= tolerance;
 }
 
-/// The first field that differs; false: none does.
+/// Finds the first field that differs; false: none.
 bool differs(const Schema& leftForm, const std::string& left, const Schema& rightForm,
              const std::string& right, double tolerance, LogDifference& difference) {
   const auto a = valuesOf(leftForm, left), b = valuesOf(rightForm, right);

@@ -7,7 +7,7 @@
 
 namespace plumbline::record {
 
-/// Where a representation of two logs differs first, and how often.
+/// The first difference of a representation in two logs, and the number of differences.
 struct LogDifference {
   std::string thread, representation, field;  ///< the field as `.relative.x`
   std::uint64_t cycle = 0;                    ///< its number

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t stride = 256;                ///< cycles between two words of progress
 constexpr std::int64_t pauseBetween = 20'000'000;  ///< of two recordings [ns]
 
-/// Removes what is half written.
+/// Removes a log that is half written.
 class Target {
 public:
   explicit Target(const std::string& folder)
@@ -71,7 +71,7 @@ bool within(const LogPart& part, const LogReader::Cycle& cycle) {
 
 void sameThreads(const LogReader& first, const LogReader& other) {
   const auto fail = [&](const std::string& what) {
-    throw std::runtime_error(other.path() + " cannot stand behind " + first.path() + ": " + what);
+    throw std::runtime_error(other.path() + " cannot be appended to " + first.path() + ": " + what);
   };
   if (first.threads().size() != other.threads().size()) fail("it has other threads");
   for (std::size_t t = 0; t < first.threads().size(); t++) {
@@ -139,7 +139,7 @@ std::uint64_t joinLogs(const std::vector<std::string>& paths, const std::string&
       const auto& cycles = log.threads()[t].cycles;
       if (cycles.empty()) continue;
       firstTime = std::min(firstTime, cycles.front().timestamp);
-      // One number stays free: the cycles do not follow on each other.
+      // One number stays free: the cycles do not follow each other.
       if (cycles.front().number <= last[t]) shift[t] = last[t] + 2 - cycles.front().number;
     }
     const std::int64_t timeShift = l > 0 && firstTime <= lastTime ? lastTime + pauseBetween - firstTime : 0;

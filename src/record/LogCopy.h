@@ -15,7 +15,7 @@ struct LogPart {
   std::vector<std::string> only{};                                      ///< representations; empty: all
 };
 
-/// Called now and then with how much is done, 0 to 1.
+/// Called now and then with the share done, 0 to 1.
 using Progress = std::function<void(double)>;
 
 /// Writes a part of a log as a log of its own. Returns its number of cycles. Throws std::runtime_error, one
@@ -23,9 +23,9 @@ using Progress = std::function<void(double)>;
 std::uint64_t cutLog(const std::string& path, const std::string& target, const LogPart& part,
                      const Progress& progress = {});
 
-/// Writes logs one behind the other as one. They must have the same threads and representations. Numbers of
-/// cycles and times go on: what follows on the log before stays as it is, anything else begins behind a
-/// missing cycle. Returns how many cycles are in it.
+/// Appends logs to each other as one. They must have the same threads and representations. Numbers of
+/// cycles and times continue: a log that follows the one before stays as it is, any other starts after a
+/// missing cycle. Returns the number of cycles.
 std::uint64_t joinLogs(const std::vector<std::string>& paths, const std::string& target,
                        const Progress& progress = {});
 

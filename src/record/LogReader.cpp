@@ -68,7 +68,7 @@ std::uint64_t LogReader::Thread::missing() const {
 LogReader::LogReader(const std::string& path) : path_(path) {
   for (const std::string& file : filesOf(path)) open(file);
   for (Thread& thread : threads_) {
-    // Files of several recordings one behind the other would look like one.
+    // Files of several recordings, one after the other, would look like one.
     for (std::size_t i = 1; i < thread.cycles.size(); i++)
       if (thread.cycles[i].number <= thread.cycles[i - 1].number)
         throw std::runtime_error(path_ + ": cycle " + std::to_string(thread.cycles[i].number) +

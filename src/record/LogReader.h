@@ -15,7 +15,7 @@ namespace plumbline::record {
 /// Of a time stamp [s].
 inline double secondsOf(std::int64_t timestamp) { return static_cast<double>(timestamp) / 1e9; }
 
-/// Reads a log. A message stands in it where it changed; the reader knows which cycle has which messages.
+/// Reads a log. A message is in it only if it changed; the reader knows which cycle has which messages.
 class LogReader {
 public:
   struct Cycle {

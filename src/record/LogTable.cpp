@@ -50,7 +50,7 @@ public:
         row[found->second] = fieldText(value);
         return;
       }
-      // An element of a list, maybe a part of it: the list's column is the longest beginning that there is.
+      // An element of a list, maybe a part of it: its column is the longest column name that it begins with.
       for (auto end = path.rfind('['); end != std::string::npos && end > 0; end = path.rfind('[', end - 1)) {
         const auto list = of_.find(path.substr(0, end));
         if (list == of_.end()) continue;

@@ -12,12 +12,12 @@ namespace plumbline::record {
 /// A column of a log: `BallPos.relative.x`.
 struct LogColumn {
   std::size_t topic;
-  std::string path;  ///< `.relative.x`; of a list: all its elements stand in one cell
+  std::string path;  ///< `.relative.x`; of a list: all its elements are in one cell
   std::string name;
 };
 
 /// The columns of a thread below the given names, as `BallPos` or `RobotPose.position.x`; none: all. Throws
-/// std::runtime_error for a name that there is not, with the nearest.
+/// std::runtime_error for an unknown name, with the nearest one.
 std::vector<LogColumn> logColumns(const LogReader& log, const LogReader::Thread& thread,
                                   const std::vector<std::string>& names);
 

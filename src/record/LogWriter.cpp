@@ -33,7 +33,7 @@ LogWriter::LogWriter(const std::string& folder, LogWriterOptions options)
 LogWriter::~LogWriter() {
   try {
     finish();
-  } catch (const std::exception&) {  // it has been said by whoever wrote last
+  } catch (const std::exception&) {  // the last writer has reported it
   }
   std::error_code error;
   if (nextFile_ == 0) fs::remove(folder_, error);  // nothing was written

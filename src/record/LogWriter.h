@@ -24,7 +24,7 @@ struct CycleView {
 };
 
 /// A log: a folder with metadata.yaml and files NAME_0.db3, NAME_1.db3, ..., as a bag of ROS 2. A message
-/// that is the same as the thread's cycle before had it is left out; every 250th cycle, and the first of each
+/// that is the same as in the thread's cycle before is left out; every 250th cycle, and the first of each
 /// file, has all. Throws std::runtime_error, one line, when nothing can be written.
 class LogWriter {
 public:
@@ -39,7 +39,7 @@ public:
   /// Once, before the first cycle.
   void begin(std::vector<RecordedThread> threads);
   void write(const CycleView& cycle);
-  /// What was written up to now survives the end of the process.
+  /// All that was written up to now survives the end of the process.
   void commit();
   /// Cycles that are missing, up to now.
   void noteDropped(std::uint64_t dropped);

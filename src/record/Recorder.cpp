@@ -52,7 +52,7 @@ void Recorder::fail(const std::string& error) {
 bool Recorder::drain() {
   bool any = false;
   for (std::size_t i = 0; i < threads_.size(); i++) {
-    // No more than what was there: the others have their turn, and the end comes.
+    // Takes only what was there: so the other threads have their turn, and the end is noticed.
     for (int taken = 0; taken < 1000 && threads_[i]->take(view_); taken++) {
       any = true;
       view_.thread = i;
@@ -78,7 +78,7 @@ bool Recorder::drain() {
   return any;
 }
 
-void Recorder::keepBooks(bool last) {
+void Recorder::updateStatistics(bool last) {
   const std::uint64_t missing = dropped();
   if (missing > 0 && !reportedDropped_ && !failed_ && tell_) {
     tell_("log: the buffer is full, cycles are dropped");
@@ -105,13 +105,13 @@ void Recorder::work() {
     const bool any = drain();
     if (last && !any) break;
     if (Clock::now() - committed > commitInterval) {
-      keepBooks(false);
+      updateStatistics(false);
       committed = Clock::now();
     }
     lock.lock();
     if (!any) wake_.wait_for(lock, interval, [this] { return ends_; });
   }
-  keepBooks(true);
+  updateStatistics(true);
 }
 
 void Recorder::finish() {

@@ -33,12 +33,12 @@ public:
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
 
-  /// All before the first cycle of any thread. The values must live as long as they are recorded.
+  /// Call all before the first cycle of any thread. The values must live as long as they are recorded.
   ThreadRecorder& addThread(RecordedThread thread, std::vector<Representation*> values);
-  /// A full buffer holds the agent up from now on; before addThread.
+  /// From now on the agent waits when a buffer is full; call it before addThread.
   void wait() { options_.waits = true; }
 
-  /// Writes what is left and ends; says what is missing.
+  /// Writes the rest and ends; reports what is missing.
   void finish();
   /// After finish(): something could not be written, so that the log ends early.
   bool endsEarly() const { return failed_; }
@@ -49,7 +49,7 @@ public:
 private:
   void work();
   bool drain();
-  void keepBooks(bool last);
+  void updateStatistics(bool last);
   void fail(const std::string& error);
 
   RecorderOptions options_;

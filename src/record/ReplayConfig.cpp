@@ -90,7 +90,7 @@ ModulesConfig replayConfig(ModulesConfig modules, const LogReader& log,
                            const std::vector<std::string>& compute, const std::string& platform) {
   Rewriter rewriter(modules, log, compute, platform);
   for (ThreadConfig& thread : modules.threads) rewriter.rewrite(thread);
-  // A thread that only passed on what others made has nothing left to do.
+  // A thread that only passed on the data of others has nothing to do.
   std::erase_if(modules.threads, [](const ThreadConfig& thread) { return thread.lines.empty(); });
   return modules;
 }

@@ -30,14 +30,14 @@ public:
   /// Before the first cycle; `timestamps` of its cycles, in order [ns]. Returns the player's number.
   std::size_t addPlayer(std::vector<std::int64_t> timestamps);
 
-  /// Asked by a player before each cycle; `played`: how many it has. `restart`: it begins anew with its
-  /// first; `unseen`: on the way to where the replay shall go. Sleeps for as long as the next cycle is not
-  /// due yet, or 50 ms where the replay rests.
+  /// Asked by a player before each cycle; `played`: how many it has. `restart`: it starts again with its
+  /// first; `unseen`: on the way to the target of the replay. Sleeps until the next cycle is
+  /// due, or for 50 ms if the replay is paused.
   Turn next(std::size_t player, std::size_t played);
   /// A player has played a cycle. True: all have played all, and the replay does not stay.
   bool played(std::size_t player, std::size_t played);
 
-  /// On the way to where the replay shall go.
+  /// Whether the replay is on the way to its target.
   bool jumps() const;
   bool paused() const;
   void pause(bool paused);
@@ -50,11 +50,11 @@ public:
   double time() const;
   /// Of the leading player's first and last cycle [s].
   std::pair<double, double> span() const;
-  /// Plays up to so many cycles, 0 to cycles(), and goes on or rests there.
+  /// Plays up to this number of cycles, 0 to cycles(), and continues or pauses there.
   void goTo(std::size_t cycle);
   /// The same, to the last cycle not later than this.
   void goToTime(double time);
-  /// So many cycles on, or back where negative; rests there.
+  /// Moves on by this number of cycles, or back if negative; pauses there.
   void step(long cycles);
 
 private:

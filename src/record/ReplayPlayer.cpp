@@ -18,7 +18,7 @@ const LogReader::Thread& threadOf(const LogReader& reader, const std::string& na
   return threads.size() == 1 ? threads.front() : reader.thread(name);
 }
 
-/// Where a step stands in the recorded cycle.
+/// The place of a step in the recorded cycle.
 std::size_t placeOf(const std::vector<std::string>& steps, const std::string& label) {
   const auto found = std::ranges::find(steps, label);
   return found == steps.end() ? behindAll : static_cast<std::size_t>(found - steps.begin());

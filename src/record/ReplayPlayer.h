@@ -13,7 +13,7 @@ struct ThreadPlan;
 namespace plumbline::record {
 
 /// Provides representations of one thread from a log, cycle by cycle. A module that reads a representation
-/// which in the recorded cycle was updated behind it (USES) gets that of the cycle before, as it did then.
+/// which in the recorded cycle was updated after it (USES) gets that of the cycle before, as it did then.
 class ReplayPlayer {
 public:
   /// The recorded thread of that name, or the only one there is. Throws std::runtime_error, one line.
@@ -31,13 +31,13 @@ public:
   bool atEnd() const { return played_ == thread_.cycles.size(); }
 
   void restart() { played_ = 0; }
-  /// Takes the next cycle: what is there at its beginning.
+  /// Takes the next cycle: the representations at its start.
   void begin();
   /// Before the module of that index in the plan executes.
   void beforeModule(std::size_t index) {
     if (!late_.empty()) applyBefore(index);
   }
-  /// What comes behind all modules.
+  /// Sets what comes after all modules.
   void end();
 
 private:

@@ -57,7 +57,7 @@ public:
   }
 
 private:
-  /// What stands before a field's name; `type`: the name that a message for it gets.
+  /// What is written before a field's name; `type`: the name that a message for it gets.
   std::string typeOf(const Schema& schema, const std::string& type) {
     if (schema.kind == Schema::Kind::raw) return "uint8[" + std::to_string(schema.size) + "]";
     if (schema.kind < Schema::Kind::object) return rosWords[static_cast<std::size_t>(schema.kind)];
@@ -106,7 +106,7 @@ private:
     } else {
       for (const Schema& part : schema.parts) field(part, part.label.empty() ? "value" : part.label);
     }
-    // What has no member is one byte on the wire.
+    // An object without members is one byte on the wire.
     return text.empty() ? "uint8 structure_needs_at_least_one_member\n" : text;
   }
 

@@ -44,7 +44,7 @@ public:
   }
   void label(std::string_view name) override { label_ = cleanLabel(name); }
   void beginList() override { open(Schema::Kind::list); }
-  /// One element: that is all there is to know of a list.
+  /// One element: it describes the whole list.
   bool nextElement() override { return ok() && open_.back()->parts.empty(); }
   void endList() override { endObject(); }
 
@@ -99,7 +99,7 @@ void write(const Schema& schema, std::string& text) {
   text += schema.kind == Schema::Kind::object ? '}' : ']';
 }
 
-/// It and all below it.
+/// Itself and all below it.
 std::size_t countParts(const Schema& schema) {
   std::size_t count = 1;
   for (const Schema& part : schema.parts) count += countParts(part);

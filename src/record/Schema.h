@@ -8,7 +8,7 @@
 
 namespace plumbline::record {
 
-/// What a streamed type consists of: enough to take its messages apart without the type.
+/// The parts of a streamed type: enough to split its messages without the type.
 struct Schema {
   enum class Kind : std::uint8_t {
     boolean,

@@ -12,8 +12,8 @@
 
 namespace plumbline::record {
 
-/// The part of a recorder in one thread of the agent: takes the representations down at the end of a cycle
-/// and hands them on without waiting.
+/// The part of a recorder in one thread of the agent: copies the representations at the end of a cycle
+/// and passes them on without waiting.
 class ThreadRecorder {
 public:
   ThreadRecorder(RecordedThread thread, std::vector<Representation*> values, std::size_t bufferBytes,
@@ -28,7 +28,7 @@ public:
   /// The next cycle, valid until the next call. False: there is none yet.
   bool take(CycleView& cycle);
   std::uint64_t dropped() const { return dropped_.load(std::memory_order_relaxed); }
-  /// Nobody takes cycles any more: all are dropped.
+  /// No cycles are taken any more: all are dropped.
   void close() { closed_.store(true, std::memory_order_relaxed); }
 
 private:

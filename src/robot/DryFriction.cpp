@@ -12,7 +12,7 @@ double fallen(double speed, double scale) {
   return std::exp(-s * s);
 }
 
-/// The square of what goes through the gear: the smaller of the two torques, where they press against each
+/// The square of the torque through the gear: the smaller of the two torques, if they press against each
 /// other.
 double squareThrough(JointPlant::Flow flow, const GearLoad& load) {
   const double motor = std::abs(load.motor), link = std::abs(load.link);

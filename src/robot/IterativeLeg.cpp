@@ -134,7 +134,7 @@ IterativeLeg::Mat6 IterativeLeg::jacobian(const Target& target, const std::array
   return J;
 }
 
-/// Moves the angles to where the error is smallest near them; returns what is left of it.
+/// Moves the angles to where the error is smallest near them; returns the remaining error.
 double IterativeLeg::descend(const Target& target, LegAngles& angles) const {
   std::array<Pose3, 6> poses = chain_.poses(angles);
   Vec6 error = errorOf(target, poses);
@@ -143,7 +143,7 @@ double IterativeLeg::descend(const Target& target, LegAngles& angles) const {
     Mat6 J = jacobian(target, poses);
     Vec6 downhill = J.transpose() * error;
     Mat6 normal = J.transpose() * J;
-    // What is given or would leave its limits stays.
+    // An angle that is given or would leave its limits stays.
     for (const LegChain::Joint& joint : chain_.joints()) {
       const auto k = static_cast<Eigen::Index>(joint.angle);
       const double q = angles[joint.angle];

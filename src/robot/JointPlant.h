@@ -34,14 +34,14 @@ struct JointPlant {
   /// reaches the link after friction, or the motor's torque.
   enum class Load { gearTorque, linkTorque, motorTorque };
   Load loadIs = Load::gearTorque;
-  double linkLoadFriction = 0;       ///< share of the torque that reaches the link, beside loadFriction's
+  double linkLoadFriction = 0;       ///< share of the torque that reaches the link, added to loadFriction's
   double loadStribeck = 0;           ///< share of the torque transmitted, extra at rest
   double loadStribeckSpeed = 0.1;    ///< at which what load adds at rest has fallen to 1/e [rad/s]
   double quadraticLoadFriction = 0;  ///< at rest, of the square of the torque that goes through [1/(N m)]
   /// Which way the torque goes through the gear where friction grows with its square.
   enum class Flow { either, motorDrives, loadDrives };
   Flow quadraticFlow = Flow::either;
-  double coulombForward = 0, coulombBackward = 0;  ///< beside coulomb, against one way of turning [N m]
+  double coulombForward = 0, coulombBackward = 0;  ///< added to coulomb, against one way of turning [N m]
   double backlash = 0;                             ///< whole play [rad]
   double toothStiffness = 4000;  ///< of the flanks of a gear with play, far stiffer than any servo [N m/rad]
   double toothDamping = 0.6;     ///< of them, in parts of twice the critical one of the rotor
@@ -63,7 +63,7 @@ struct JointPlant {
     return drive;
   }
   /// It has dry friction of some kind.
-  bool rubs() const {
+  bool hasFriction() const {
     return coulomb > 0 || stribeck > 0 || loadFriction > 0 || linkLoadFriction > 0 || loadStribeck > 0 ||
            quadraticLoadFriction > 0 || coulombForward > 0 || coulombBackward > 0;
   }

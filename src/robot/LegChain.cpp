@@ -12,7 +12,7 @@ LegChain::LegChain(const RobotModel& model, Side side) {
   const int first = firstLegJoint(side);
   std::array<bool, 6> found{};
   std::size_t next = joints_.size();
-  // From the foot up; what is passed on the way to the next joint of the leg is added to its origin.
+  // From the foot up; offsets on the way to the next joint of the leg are added to its origin.
   const JointId ankleRoll = static_cast<JointId>(first + 5);
   for (int i = model.has(ankleRoll) ? model.linkOfJoint[ankleRoll] : 0; i > 0;
        i = model.links[at(i)].parent) {

@@ -8,7 +8,7 @@
 namespace plumbline {
 
 /// The six joints of a leg from the torso to the foot, with whatever axes and in whatever order a robot has
-/// them. Own joints of the robot between them (a waist) stand at zero. Poses are in the torso frame [m].
+/// them. Own joints of the robot between them (a waist) are at zero. Poses are in the torso frame [m].
 class LegChain {
 public:
   struct Joint {

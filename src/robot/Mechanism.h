@@ -64,7 +64,7 @@ struct Mechanism {
     /// command the driver's); -1: it has its own motor.
     int driver = -1;
     double driverRatio = 1, driverOffset = 0;
-    /// Where this joint is, or is told to be, when its driver is at q.
+    /// Where this joint is, or is commanded to be, when its driver is at q.
     double driven(double q) const { return driverRatio * q + driverOffset; }
 
     /// Joint frame in the parent link's frame, at position 0.

@@ -13,7 +13,7 @@
 namespace plumbline {
 namespace {
 
-/// What a number may be, and what it is on robots from a finger to a crane.
+/// The allowed range of a number, and its usual range on robots from a finger to a crane.
 struct Bounds {
   const char* what;
   const char* unit;
@@ -91,7 +91,7 @@ private:
     check(place, linkMass, link.mass);
     const Eigen::SelfAdjointEigenSolver<Mat3> solver(link.inertia, Eigen::EigenvaluesOnly);
     const Vec3 moments = solver.eigenvalues();  // ascending
-    // What is singular can come out as slightly positive.
+    // A singular matrix can come out as slightly positive.
     if (!(moments[0] > 1e-9 * moments[2]))
       fail(place, "the inertia is not positive definite; check order and signs");
     check(place, momentOfInertia, moments[2]);

@@ -80,7 +80,7 @@ json servoTableOfYaml(const std::string& text, const std::string& path) {
   }
 }
 
-/// Null where there is none; path: of the table that there is.
+/// Null if there is none; path: of the existing table.
 json findServoTable(const fs::path& urdf, std::string& path) {
   const fs::path stem = fs::path(urdf).replace_extension();
   for (const char* ending : {".servo.json", ".servo.yaml", ".servo.yml"}) {

@@ -196,7 +196,7 @@ void readImu(const Object& root, MechanismParts& parts) {
   parts.imu.rpy = imu.vector3("rpy", Vec3::Zero());
 }
 
-/// What both forms have beside links and joints. `source` and `notes` are for people.
+/// What both forms have besides links and joints. `source` and `notes` are for people.
 const std::vector<std::string> restKeys = {"base_link", "gravity", "rates",  "imu",  "feet",
                                            "fsr",       "groups",  "source", "notes"};
 

@@ -16,7 +16,7 @@ const std::string world = "world";     // what holds a robot that has no free jo
 const std::string outermost = "main";  // the class of what names none
 
 /// The robot of a MuJoCo model: bodies, hinges and slides, servos from its position actuators, an IMU from
-/// its gyro. What the nominal model has no place for is left out: contacts, meshes, frictionloss, tendons.
+/// its gyro. The nominal model has no contacts, meshes, frictionloss and tendons: these are left out.
 class MjcfReader : private MjcfSolids {
 public:
   using MjcfSolids::MjcfSolids;
@@ -67,7 +67,7 @@ private:
       fail(e, "MuJoCo no longer supports global coordinates; save the model again");
   }
 
-  /// What MuJoCo turns into bodies while it reads; bodies within would be missing without a word.
+  /// Elements that MuJoCo turns into bodies while it reads; their bodies would be missing silently.
   void refuseMacros(const XMLElement& e) const {
     for (const char* macro : {"frame", "replicate", "attach", "composite", "flexcomp"})
       if (const XMLElement* found = e.FirstChildElement(macro))
@@ -92,7 +92,7 @@ private:
       readDefaults(*c, name, depth + 1);
   }
 
-  /// Puts what its class says into an element where it says nothing itself.
+  /// Fills missing attributes of an element from its class.
   void complete(XMLElement& e, const std::string& classAround) const {
     const char* own = e.Attribute("class");
     const std::string name = own ? own : classAround.empty() ? outermost : classAround;

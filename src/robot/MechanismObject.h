@@ -13,7 +13,7 @@ namespace plumbline {
 /// One object of a robot's JSON file, with its place for error texts.
 class MechanismObject {
 public:
-  /// at: for people, `joint Knee`; steps: where it stands in the file, `joints[3]`.
+  /// at: for people, `joint Knee`; steps: its place in the file, `joints[3]`.
   MechanismObject(const nlohmann::json& value, std::string at, std::string steps, const std::string& file)
       : value(value), place(std::move(at)), path(std::move(steps)), file(file) {
     if (!value.is_object())

@@ -16,7 +16,7 @@ namespace {
 constexpr std::size_t maxParts = 512;
 using Joint = Mechanism::Joint;
 
-/// What a group of links held together by fixed joints adds up to, in the frame of its first link.
+/// The sum of a group of links joined by fixed joints, in the frame of its first link.
 struct Body {
   std::string name;
   double mass = 0;
@@ -109,8 +109,8 @@ private:
       result_.frames.push_back({link, body, T_body_link});
   }
 
-  /// Takes the first joint of the file whose parent has its place, again and again: parents come first, the
-  /// file's order stays where it can.
+  /// Repeatedly takes the first joint of the file whose parent is placed: parents come first, otherwise the
+  /// file's order is kept.
   void placeLinks() {
     std::vector<bool> done(parts_.joints.size());
     for (std::size_t placedJoints = 0; placedJoints < done.size(); ++placedJoints) {
@@ -172,7 +172,7 @@ private:
     }
   }
 
-  /// Those that the file names, then one of each type of servo.
+  /// The groups that the file names, then one for each type of servo.
   void finishGroups() {
     for (const MechanismParts::Group& group : parts_.groups) {
       if (result_.jointIndex(group.name) >= 0 || result_.linkIndex(group.name) >= 0 || group.name == "imu" ||

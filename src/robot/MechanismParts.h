@@ -9,7 +9,7 @@
 namespace plumbline {
 
 /// A robot as its files name it, before it is sorted and checked: what the readers of the two forms share.
-/// Indices of Mechanism's parts are not set; names stand in their place.
+/// Indices of Mechanism's parts are not set; names are used instead.
 struct MechanismParts {
   struct Joint {
     Mechanism::Joint joint;
@@ -41,7 +41,7 @@ struct MechanismParts {
   Joint* find(const std::string& joint);
 };
 
-/// Sorts, joins what fixed joints hold together, and checks. `file` stands in errors.
+/// Sorts, joins what fixed joints hold together, and checks. `file` is named in errors.
 Mechanism assemble(const MechanismParts& parts, const std::string& file);
 
 /// Reads a whole JSON robot.

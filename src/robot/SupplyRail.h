@@ -16,7 +16,7 @@ public:
     }
   }
 
-  bool sags() const { return used_; }
+  bool hasVoltageDrop() const { return used_; }
   void restart() { load_ = 0; }
   /// Load of all motors over a step of h [s]: the sum of the absolute torques [N m].
   void take(double torques, double h);

@@ -48,7 +48,7 @@ public:
   Pose2 disturbed(const Pose2& place);
   /// What others see of this robot.
   VisibleWorld::Player visibleParts(const World& world, std::string_view team) const;
-  /// Makes the message of this cycle. truth: of all players, if it is told.
+  /// Makes the message of this cycle. truth: of all players, if it is sent.
   void sense(const World& world, const Game& game, double time, const VisibleWorld& visible,
              const simspark::GroundTruth* truth);
   const std::string& message() const { return text_; }

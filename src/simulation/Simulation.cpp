@@ -84,7 +84,7 @@ PlayerId Simulation::addPlayer(int type) {
   return id;
 }
 
-/// The league's server puts all new robots into one spot, where those that come together burst apart.
+/// The league's server puts all new robots into one spot, where simultaneous robots burst apart.
 Vec3 Simulation::freeSpawn() const {
   const auto isFree = [this](const Vec3& place) {
     return std::none_of(players_.begin(), players_.end(), [&](const auto& entry) {
@@ -204,7 +204,7 @@ std::vector<Member> Simulation::members() const {
   return members;
 }
 
-/// As on the league's server players are not told.
+/// As on the league's server, players are not informed.
 void Simulation::changeSides() {
   teams_.swapSides();
   for (auto& [id, player] : players_) player->side = simspark::opponent(player->side);

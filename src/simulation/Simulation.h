@@ -32,8 +32,8 @@ class Simulation {
 public:
   explicit Simulation(const SimulationConfig& config);
 
-  /// A robot of a league type at the league's spawn, or a metre or more beside it while another one is there;
-  /// without a team. Errors: std::out_of_range for another type.
+  /// A robot of a league type at the league's spawn, or a metre or more next to it while another one is
+  /// there; without a team. Errors: std::out_of_range for another type.
   PlayerId addPlayer(int type);
   void removePlayer(PlayerId id);
   /// Carries out what a player commands (scene and syn are the connection's business). Returns why something
@@ -71,7 +71,7 @@ public:
   std::size_t numPlayers() const { return players_.size(); }
   /// By id, in the order in which they came.
   const std::map<PlayerId, std::unique_ptr<Player>>& allPlayers() const { return players_; }
-  /// Grows when players come, go or get a number: the monitor's scene must be sent anew.
+  /// Grows when players come, go or get a number: the monitor's scene must be sent again.
   std::uint64_t sceneVersion() const { return version_; }
 
 private:

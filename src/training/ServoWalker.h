@@ -7,7 +7,7 @@
 #include "robot/MechanismFile.h"
 #include "servo/RobotSimulation.h"
 #include "training/Walker.h"
-#include "walking/engine/ServoDriver.h"
+#include "walking/engine/PositionServoAdapter.h"
 
 namespace plumbline::walking {
 
@@ -87,7 +87,7 @@ private:
 
   const Mechanism robot_;
   double mass_;
-  ServoDriver driver_;
+  PositionServoAdapter driver_;
   std::unique_ptr<simulation::RobotSimulation> plant_;
   ServoMeasurement measured_;
   WalkSensors sensed_;

@@ -290,8 +290,9 @@ TEST_F(InspectorTest, tellsItsCommands) {
   EXPECT_EQ(commands.size(), 18u);
   EXPECT_EQ(commands.at(0), "get NAME");
   EXPECT_EQ(commands.at(1), "watch NAME [every N | every SECONDSs]");
-  EXPECT_EQ(ask("help reset"),
-            Lines{"reset MODULE                makes a module anew; what was set of its parameters stays"});
+  EXPECT_EQ(
+      ask("help reset"),
+      Lines{"reset MODULE                restarts a module; parameters that were set keep their values"});
   EXPECT_EQ(ask("help rest"), Lines{"error: no command \"rest\"; did you mean \"reset\"?"});
   EXPECT_EQ(ask("commands now"), Lines{"error: commands has nothing behind it"});
   for (const std::string& usage : commands) {

@@ -77,7 +77,7 @@ TEST(TreeTest, partsAreFoundByPath) {
   EXPECT_EQ(problem(".point.z"), ".point has no part z; it has x, y");
   EXPECT_EQ(problem(".point.x.a"), ".point.x is a single value and has no part a");
   EXPECT_EQ(problem(".list[2]"), ".list has no element [2]; it has 2");
-  EXPECT_EQ(problem(".list[-1]"), ".list an element's number stands in [], not \"-1\"");
+  EXPECT_EQ(problem(".list[-1]"), ".list an element's number must be in [], not \"-1\"");
   EXPECT_EQ(problem(".list.a"), ".list is a list of 2; its elements are [0], [1], ...");
   EXPECT_EQ(problem(".on[0]"), ".on is a single value and has no element [0]");
   EXPECT_EQ(problem(".list[0"), ".list parts are written .name or [number], not \"[0\"");

@@ -10,7 +10,7 @@
 #include "motion/KeyframeReader.h"
 #include "robot/HumanoidModel.h"
 #include "robot/MechanismFile.h"
-#include "servo/ServoWorld.h"
+#include "servo/BulletRobot.h"
 
 namespace plumbline::motion {
 namespace {
@@ -72,7 +72,7 @@ private:
 
   const std::filesystem::path folder_ =
       std::filesystem::path(testing::TempDir()) / ("keyframes-on-servos-" + std::to_string(getpid()));
-  simulation::ServoWorld world_;
+  simulation::BulletRobot world_;
 };
 
 constexpr const char* upright = R"(keyframes:

@@ -43,11 +43,11 @@ TEST_F(LogToolsTest, logsOfOtherThingsAreNotJoined) {
   EXPECT_EQ(thrownBy([&] {
               joinLogs({game, counter}, scratch / "x");
             }),
-            counter + " cannot stand behind " + game + ": it has no Shapes");
+            counter + " cannot be appended to " + game + ": it has no Shapes");
   EXPECT_EQ(thrownBy([&] {
               joinLogs({counter, game}, scratch / "x");
             }),
-            game + " cannot stand behind " + counter + ": it has more representations");
+            game + " cannot be appended to " + counter + ": it has more representations");
   EXPECT_FALSE(std::filesystem::exists(scratch / "x"));
 }
 

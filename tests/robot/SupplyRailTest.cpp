@@ -18,7 +18,7 @@ std::vector<JointPlant> twoDrives(double sag) {
 TEST(SupplyRailTest, fallsWithTheShareOfAllTorquesOverTenMilliseconds) {
   const auto drives = twoDrives(0.5);
   SupplyRail rail(drives);
-  EXPECT_TRUE(rail.sags());
+  EXPECT_TRUE(rail.hasVoltageDrop());
   EXPECT_DOUBLE_EQ(rail.left(drives[0]), 1);
   constexpr double h = 1e-5;
   for (int i = 0; i < 1000; ++i) rail.take(2, h);
@@ -46,7 +46,7 @@ TEST(SupplyRailTest, neverFallsBelowATenth) {
 TEST(SupplyRailTest, aStiffOneStaysWhatever) {
   const auto drives = twoDrives(0);
   SupplyRail rail(drives);
-  EXPECT_FALSE(rail.sags());
+  EXPECT_FALSE(rail.hasVoltageDrop());
   rail.take(4, 1);
   EXPECT_EQ(rail.left(drives[0]), 1);
 }

@@ -21,7 +21,7 @@ inline std::vector<FidelityLine> fidelityOf(const std::vector<std::string>& reco
     const simspark::LeagueTrace trace =
         simspark::readLeagueTrace("tests/data/traces/" + recording + ".csv.gz");
     const auto lines =
-        fidelityLines(trace, replay(trace, simsparkRobot(trace.robotType.value_or(0)), config), {});
+        fidelityLines(trace, replayTrace(trace, simsparkRobot(trace.robotType.value_or(0)), config), {});
     EXPECT_FALSE(lines.empty()) << trace.name;
     all.insert(all.end(), lines.begin(), lines.end());
   }

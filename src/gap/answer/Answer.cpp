@@ -4,7 +4,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "gap/answer/Behaviour.h"
+#include "gap/answer/Behavior.h"
 #include "gap/diagnosis/GapMap.h"
 
 namespace plumbline::gap {
@@ -264,7 +264,7 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
                                {"floor", number(gap.floor)}});
   j["overlays"] = overlays(evaluator, nominal);
   j["behaviour"] = json::array();
-  for (const Behaviour& b : behaviours(evaluator, nominal))
+  for (const Behavior& b : behaviors(evaluator, nominal))
     j["behaviour"].push_back({{"what", b.what},
                               {"unit", b.unit},
                               {"measured", number(b.measured)},

@@ -170,7 +170,7 @@ BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answe
   f.push_back(bootstrap<double>("mixture_f1", "set F1 of mixtures, mean", f1, mean));
   f.push_back(bootstrap<double>("parameter_error", "error of the value where the effect is right, median",
                                 errors, median));
-  f.push_back(bootstrap<double>("gap_closed", "closable gap closed on held-out motions, mean", closed, mean));
+  f.push_back(bootstrap<double>("gap_closed", "closable gap closed on motions left out, mean", closed, mean));
   f.push_back(bootstrap<std::vector<Graded>>("ece", "expected calibration error", graded,
                                              [](const std::vector<std::vector<Graded>>& cases) {
                                                std::vector<Graded> all;

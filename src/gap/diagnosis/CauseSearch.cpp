@@ -12,18 +12,22 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double nothing = 0.005;  // of the best promise: an effect that promises less has no other start
-// A start that changes so many times more than there is to explain says nothing of smaller values.
+constexpr double minPromiseShare =
+    0.005;  // of the best promise: with less, an effect is looked at from one start only
+// A start that changes this many times more than there is to explain says nothing about smaller values: it is
+// scaled down, up to maxRescalings times.
 constexpr double overshoots = 4;
-constexpr int againLess = 2;
-constexpr std::size_t lookTwice = 60, lookOnFeet = 12, leastRefined = 4;
-constexpr double refineShare = 0.2;  // of the best first look's gain: what promises less is not fitted
-constexpr double keptPromise = 0.5;  // of the first look's: below that its effect is looked at in between
-constexpr double polishShare = 0.7;  // of the best fit's gain: what gains less is no rival of the best
-constexpr double tellsShare = 0.5;   // of the best fit's gain: what gains more does something
+constexpr int maxRescalings = 2;
+constexpr std::size_t maxSecondLooks = 60;
+constexpr std::size_t maxFixedBaseOnly = 12;  // of these, judged on a fixed base that decides little
+constexpr std::size_t leastRefined = 4;
+constexpr double refineShare = 0.2;   // of the best first look's gain: what promises less is not fitted
+constexpr double minKeptShare = 0.5;  // of the gain promised: below, values in between are looked at too
+constexpr double polishShare = 0.7;   // of the best fit's gain: what gains less is no rival of the best
+constexpr double minGainShare = 0.5;  // of the best fit's gain: with more, a cause does something
 constexpr ValueSearch finely = {.step = 0.08, .tolerance = 0.004, .bracket = 6, .within = 4};
 
-/// Squares beyond noise on the blocks for fitting: what shows on the others alone is nothing to fit to.
+/// Squares beyond noise on the blocks for fitting; no cause can be fitted to what only the others show.
 double excessForFitting(const Evaluator& evaluator, std::size_t t) {
   const Evidence& data = evaluator.evidence();
   const Trial& trial = data.trials()[t];
@@ -41,8 +45,8 @@ double excessForFitting(const Evaluator& evaluator, std::size_t t) {
   return excess;
 }
 
-/// Trials that tell most about what is unexplained: of each base, so many with the largest excess, repeats
-/// once.
+/// The most informative trials about what is unexplained: of each base, those with the largest excess; of
+/// repeats, one.
 TrialMask tellingTrials(const Evaluator& evaluator, std::size_t count) {
   const auto& trials = evaluator.evidence().trials();
   TrialMask mask(trials.size(), 0);
@@ -73,8 +77,8 @@ bool bodyOnly(const Evaluator& evaluator, const Cause& cause) {
          (site == Site::link && evaluator.jointsTouched(cause).empty());
 }
 
-/// What a run with a fixed base can show, it shows for a hundredth of the price of one on the feet;
-/// floatingBase: those too.
+/// Uses runs with a fixed base if they can show the cause: they cost a hundredth of runs on the feet.
+/// floatingBase: uses those too.
 TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask, bool floatingBase) {
   const auto& trials = evaluator.evidence().trials();
   const bool body = bodyOnly(evaluator, cause),
@@ -115,12 +119,12 @@ public:
     for (const Candidate& c : chosen_) most = std::max(most, before - c.fit.fitting);
     std::erase_if(chosen_, [&](const Candidate& c) {
       const double gain = before - c.fit.fitting;
-      // A limit on a DC motor, which has none, tells by being there, however little of it there is.
-      return gain <= 0 || (doesNothing(fine_.mechanism(), c.cause) && gain < tellsShare * most);
+      // A limit on a DC motor, which has none, changes the motion by its presence, however small it is.
+      return gain <= 0 || (doesNothing(fine_.mechanism(), c.cause) && gain < minGainShare * most);
     });
     std::stable_sort(chosen_.begin(), chosen_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; });
-    // One of each kind: its better variant.
+    // Keeps the better variant of each kind.
     std::vector<Candidate> result;
     for (Lead& candidate : chosen_)
       if (std::ranges::none_of(result, [&](const Candidate& c) { return c.cause.sameKind(candidate.cause); }))
@@ -132,7 +136,8 @@ private:
   /// Whether a cause that runs with a fixed base could show is judged on those with a floating base too.
   bool onFeet(const Cause& cause) const { return !fixedBaseTells_ || onlyUnderLoad(cause); }
   bool onlyUnderLoad(const Cause& cause) const { return underLoad_.shows(*cause.effect, cause.place); }
-  /// Trials to fit on: the most telling ones with a fixed base, of those with a floating base the first.
+  /// Trials to fit on: the most informative ones with a fixed base, and the first of those with a floating
+  /// base.
   TrialMask tellingOf(const Cause& cause) const {
     TrialMask mask = showing(fine_, cause, telling_, onFeet(cause));
     for (std::size_t t = 0; t < mask.size(); ++t)
@@ -141,7 +146,7 @@ private:
   }
   TrialMask everyOf(const Cause& cause) const { return showing(fine_, cause, every_, onFeet(cause)); }
 
-  /// With the values added that moments of setting in tell, after the other starts of their kinds.
+  /// Adds the values that follow from moments of onset, after the other starts of their kinds.
   std::vector<Cause> withOnsets(const std::vector<Cause>& causes) const {
     std::vector<std::optional<Cause>> byOnset(causes.size());
     parallel(causes.size(), options_.jobs, [&](std::size_t i) {
@@ -174,7 +179,7 @@ private:
         candidate.cause = candidate.start = causes[i];
         const TrialMask mask = showing(fine_, causes[i], most_, onlyUnderLoad(causes[i]));
         Fit fit = coarse_.with(causes[i], mask);
-        for (int again = 0; again < againLess && fit.change > overshoots * whole; ++again) {
+        for (int again = 0; again < maxRescalings && fit.change > overshoots * whole; ++again) {
           candidate.cause = candidate.start =
               scaled(fine_.mechanism(), candidate.cause, std::sqrt(whole / fit.change));
           fit = coarse_.with(candidate.cause, mask);
@@ -198,22 +203,22 @@ private:
     for (std::size_t i = 0; i < causes.size(); ++i) {
       if (at < first.size() && first[at] == i)
         promised = promise[i], ++at;
-      else if (!causes[i].effect->linear || promised > nothing * best)
+      else if (!causes[i].effect->linear || promised > minPromiseShare * best)
         hopeful.push_back(i);
     }
     look(hopeful, 0.3, 0.5);
   }
 
-  /// The best start of each kind, variant and direction. What was looked at in runs with a fixed base
-  /// that tell little of the whole is not to be compared with the rest yet: the best of it are taken along.
+  /// The best start of each kind, variant and direction. Runs with a fixed base that show little of the gap
+  /// do not compare with the rest yet: the best candidates from them are kept too.
   void bestStarts() {
     std::stable_sort(looked_.begin(), looked_.end(),
                      [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
     std::size_t onlyFixedBase = 0;
     for (const Lead& candidate : looked_) {
-      if (chosen_.size() >= lookTwice || candidate.screened <= 0) break;
+      if (chosen_.size() >= maxSecondLooks || candidate.screened <= 0) break;
       const bool onFixedBase = !fixedBaseTells_ && !bodyOnly(fine_, candidate.cause);
-      if (onFixedBase && onlyFixedBase >= lookOnFeet) continue;
+      if (onFixedBase && onlyFixedBase >= maxFixedBaseOnly) continue;
       const auto below = [](const Cause& cause) { return cause.value < cause.effect->nominal; };
       const bool known = std::ranges::any_of(chosen_, [&](const Candidate& c) {
         return oneStart(c.cause, candidate.cause) && below(c.cause) == below(candidate.cause);
@@ -224,8 +229,8 @@ private:
     }
   }
 
-  /// What the scaled change promises need not come true where an effect is far from linear: a limit that is
-  /// hardly ever reached lies somewhere between. Keeps those that are worth a fit.
+  /// The scaled change can be wrong where an effect is far from linear: a limit that is hardly ever reached
+  /// is somewhere between. Keeps the candidates that are worth a fit.
   void secondLook() {
     parallel(chosen_.size(), options_.jobs, [&](std::size_t i) {
       Lead& lead = chosen_[i];
@@ -241,7 +246,7 @@ private:
       const Cause first = lead.cause;
       if (std::abs(share - 1) > 0.05) look(scaled(fine_.mechanism(), first, share));
       const double way = first.effect->strengthOf(first.value) / first.effect->strengthOf(lead.start.value);
-      if (first.effect->linear || lead.screened >= keptPromise * promised || !(way > 0)) return;
+      if (first.effect->linear || lead.screened >= minKeptShare * promised || !(way > 0)) return;
       for (const double part : {0.25, 0.5, 0.75})
         look(scaled(fine_.mechanism(), lead.start, std::pow(way, part)));
     });
@@ -256,7 +261,7 @@ private:
     }
   }
 
-  /// Values with long steps on the trials that tell most; one fine look at all trials with what comes out.
+  /// Fits values with long steps on the most informative trials, then evaluates each result finely on all.
   void fitRoughly() {
     stage(0.5, 0.8, chosen_.size());
     parallel(chosen_.size(), options_.jobs, [&](std::size_t i) {
@@ -268,7 +273,7 @@ private:
       candidate.fit = fine_.with(candidate.cause, all);
       // Where the gain ends abruptly beyond the best value, coarse steps place that end elsewhere.
       if (fine_.baseFit().fitting - candidate.fit.fitting <
-          keptPromise * (coarse_.baseFit().fitting - fitted.fit.fitting)) {
+          minKeptShare * (coarse_.baseFit().fitting - fitted.fit.fitting)) {
         const Candidate again = fitValue(fine_, first, mask, roughly);
         Fit fit = fine_.with(again.cause, all);
         if (fit.fitting < candidate.fit.fitting)

@@ -5,7 +5,7 @@
 #include <string>
 
 #include "framework/Parallel.h"
-#include "gap/diagnosis/Merit.h"
+#include "gap/diagnosis/AcceptanceTest.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/ValueFit.h"
 
@@ -14,7 +14,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double farBetter = 0.2;  // of a recording's squares that has to go without the cause
-constexpr double worthIt = 0.05;   // of all squares, for each recording, with values fitted anew
+constexpr double worthIt = 0.05;   // of all squares, for each recording, with values fitted again
 constexpr std::size_t fittedStarts = 6;
 constexpr double needless = 0.02;  // more squares without it: a cause that is not needed
 
@@ -31,8 +31,8 @@ std::map<std::string, double> squaresByRecording(const Evidence& data, const Fit
   return sums;
 }
 
-/// The recordings without the cause, one more or less: the one that gains most by that change, far more than
-/// nothing. As they are where that holds for no recording, or for the last that shows the cause.
+/// Adds or removes the recording that gains most by the change, if it gains clearly. Returns the list as it
+/// is if no recording does, or only the last one that shows the cause.
 std::vector<std::string> changed(const Evaluator& evaluator, const Explanation& causes, std::size_t i) {
   const Evidence& data = evaluator.evidence();
   Explanation everywhere = causes;
@@ -57,7 +57,7 @@ std::vector<std::string> changed(const Evaluator& evaluator, const Explanation& 
   return names;
 }
 
-/// The cause, out of the recordings that it makes far worse; in all where it makes none far better.
+/// The cause, inactive in recordings that it makes far worse; active in all if it makes none far better.
 Candidate setInSome(const Evaluator& nominal, Cause cause) {
   const Evidence& data = nominal.evidence();
   cause.inactiveIn.clear();
@@ -75,7 +75,7 @@ Candidate setInSome(const Evaluator& nominal, Cause cause) {
   return {cause, std::move(fit), 0};
 }
 
-/// Without the causes that only made up for the recordings that are told apart now.
+/// Without the causes that only made up for recordings that are now treated separately.
 Explanation needed(const Evaluator& evaluator, Explanation causes, int jobs) {
   double judging = evaluator.of(causes).judging;
   for (std::size_t i = causes.size(); i-- > 0;) {

@@ -14,7 +14,7 @@ constexpr double jointShare = 0.08;  // of the chain's worst, or of the robot's 
 
 constexpr double apart = 10;  // times its own noise that a joint's repeats differ by
 
-// Lost commands leave most chains off at a time, by more than this mean square over noise.
+// Lost commands move most chains away at once, by more than this mean square over noise.
 constexpr double mostShare = 0.75, chainOff = 1.5;
 constexpr std::size_t fewChains = 3;  // a robot with fewer is judged by its joints
 
@@ -32,7 +32,7 @@ std::vector<bool> restlessJoints(const Evaluator& evaluator) {
   return restless;
 }
 
-/// Joints without a position in some run with a fixed base: what is wrong there shows in their neighbours.
+/// Joints without a position in some run with a fixed base: a fault there shows in their neighbours.
 std::vector<bool> unseenJoints(const Evaluator& evaluator) {
   std::vector<bool> unseen(evaluator.mechanism().joints.size(), false);
   for (const Trial& trial : evaluator.evidence().trials()) {
@@ -45,7 +45,7 @@ std::vector<bool> unseenJoints(const Evaluator& evaluator) {
   return unseen;
 }
 
-/// Of joints that one motor drives, the most: what is wrong with the motor shows in any of them.
+/// The largest of the joints that one motor drives: a fault of the motor shows in any of them.
 std::vector<double> motorExcess(const Mechanism& robot, std::vector<double> excess) {
   for (std::size_t j = 0; j < excess.size(); ++j) {
     double& most = excess[static_cast<std::size_t>(robot.motorOf(static_cast<int>(j)))];
@@ -54,7 +54,7 @@ std::vector<double> motorExcess(const Mechanism& robot, std::vector<double> exce
   return excess;
 }
 
-/// Whether every run is of a robot that steps, whose joints begin anew where they were measured.
+/// Whether in every run the robot steps: its joints then restart at their measured angles.
 bool allStep(const Evidence& data) {
   return std::ranges::none_of(data.trials(), [](const Trial& trial) { return trial.restarts.empty(); });
 }
@@ -99,7 +99,7 @@ DeviatingJoints::DeviatingJoints(const Evaluator& evaluator) {
   }
 }
 
-/// What is wrong in a joint's drive shows there first, even where the ground carries it on to the others.
+/// A fault in a joint's drive shows most at that joint, even if the ground passes it on to the others.
 void DeviatingJoints::onlyDeviating(const Evaluator& evaluator) {
   const std::vector<double> excess = motorExcess(evaluator.mechanism(), jointExcess(evaluator, true));
   const double all = *std::ranges::max_element(excess);

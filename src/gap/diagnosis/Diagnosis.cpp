@@ -5,13 +5,13 @@
 #include <functional>
 #include <utility>
 
+#include "gap/diagnosis/AcceptanceTest.h"
 #include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/ConfigurationChange.h"
 #include "gap/diagnosis/FindingOf.h"
 #include "gap/diagnosis/ForwardSelection.h"
 #include "gap/diagnosis/GapMeter.h"
 #include "gap/diagnosis/GroupedCrossValidation.h"
-#include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/Pairs.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Probability.h"
@@ -56,7 +56,7 @@ public:
       leftOnFixedBase = explainFixedBaseRuns();
     const bool foundOnFixedBase = !selection_.causes.empty();
     if (leftOnFixedBase > 1) {
-      // Not known to the library. What came nearest on a fixed base may topple the robot.
+      // The cause is not in the library. The best one on a fixed base may topple the robot.
       if (meter_.under(fine_) > result_.gap.before) selection_.clear();
     } else if (selection_.causes.empty()) {
       explain();
@@ -83,15 +83,15 @@ private:
   void explain() {
     const double nominal = fine_.baseFit().judging;
     selection_.grow();
-    // With nothing but runs on the feet each look takes a minute, and a second round ten.
+    // With runs on the feet only, each search takes a minute, and a second round takes ten.
     if (!fine_.hasFixedBase()) return;
     tryOtherFirstCauses(nominal);
     if (selection_.causes.size() > 1 && selection_.remainder().mayRemain(farOff)) reconsider();
     otherPair();
   }
 
-  /// What overlaps comes out in pairs and triples that are not there. Where three causes stand for what two
-  /// explain, or another two on a robot's only joint predict better, takes these.
+  /// Overlapping effects are found as wrong pairs or triples. If two causes explain as much as three, or
+  /// another pair on a robot's only joint predicts better, the two are taken.
   void otherPair() {
     const bool one = hasOneMotor(fine_.mechanism());
     const bool explained = !selection_.causes.empty() && selection_.remainder().mayRemain();
@@ -115,9 +115,9 @@ private:
     }
   }
 
-  /// Where runs with a fixed base show what is wrong, they show it for a hundredth of the price; what remains
-  /// of them over what may remain. On the feet only what is found is then looked at, and what those runs show
-  /// besides.
+  /// Searches the runs with a fixed base first, which cost a hundredth of the others. On the feet it then
+  /// tests what was found, and searches what else those runs show. Returns the remainder on a fixed base over
+  /// the allowed one.
   double explainFixedBaseRuns() {
     double remains = onFixedBaseRuns([&] { explain(); });
     if (pruneHarmful(selection_, fine_, meter_, result_.gap.before, options_.jobs))
@@ -128,8 +128,8 @@ private:
     return remains;
   }
 
-  /// Changes the causes as if there were runs with a fixed base alone; what remains of those over what may
-  /// remain.
+  /// Changes the causes as if there were only runs with a fixed base; returns their remainder over the
+  /// allowed one.
   double onFixedBaseRuns(const std::function<void()>& change) {
     leaveFloatingBaseOut(true);
     const double whole = std::exchange(selection_.worstBefore, worstGap(fine_).size);
@@ -148,11 +148,11 @@ private:
     for (Evaluator* evaluator : {&fine_, &coarse_}) evaluator->leaveFloatingBaseOut(out);
   }
 
-  /// Where much stays unexplained, the first cause may have been the wrong one: begins with others, keeps the
-  /// set that predicts best.
+  /// If much stays unexplained, the first cause may have been wrong: starts with others and keeps the set
+  /// that predicts best.
   void tryOtherFirstCauses(double nominal) {
     if (selection_.choices.empty() || selection_.remainder().mayRemain() || beginShared()) return;
-    // Looking again on the feet takes minutes.
+    // A second search on the feet takes minutes.
     if (fine_.hasFloatingBase() && !selection_.causes.empty() && selection_.remainder().unaccounted() <= 1)
       return;
     const Candidates firsts = selection_.choices.front();
@@ -177,8 +177,8 @@ private:
     fine_.setBase(selection_.causes);
   }
 
-  /// Where all servos are of one type: begins with what they share, chosen together. Whether that took the
-  /// place of what was found.
+  /// If all servos are of one type: starts with the causes they share, chosen together. Returns whether these
+  /// replaced the causes found.
   bool beginShared() {
     if (!fine_.mechanism().sharesServo() || fine_.hasFloatingBase()) return false;
     const Explanation old = selection_.causes;
@@ -193,7 +193,7 @@ private:
     std::vector<Candidates> kept = std::exchange(selection_.choices, std::vector<Candidates>(set.size()));
     selection_.causes = set;
     fine_.setBase(selection_.causes);
-    // Lost commands are told cycle by cycle, which takes in much of whatever else is missing.
+    // Lost commands are fitted cycle by cycle, which absorbs much of what else is missing.
     selection_.lostCommandsLast = true;
     selection_.grow();
     if (options_.progress) options_.progress("each motion from the others", 0);
@@ -211,7 +211,7 @@ private:
     return better;
   }
 
-  /// Each cause once more with the others in place: another may do better now, or it may not be needed.
+  /// Tests each cause again with the others: another may now be better, or the cause may not be needed.
   void reconsider() {
     for (std::size_t i = 0; i < selection_.causes.size();) {
       fine_.setBase(selection_.causes);
@@ -231,8 +231,8 @@ private:
     selection_.causes = fitTogether(fine_, selection_.causes, options_.jobs);
   }
 
-  /// Where runs were recorded under several servo settings and something remains: the set of causes that
-  /// predicts each setting from the others best, if it does better than what was found.
+  /// If runs have several servo settings and something remains: takes the set of causes that best predicts
+  /// each setting from the others, if it is better than the causes found.
   void crossValidate() {
     if (selection_.causes.empty() || fine_.hasFloatingBase() || selection_.remainder().size() < unexplained)
       return;
@@ -255,7 +255,7 @@ private:
     }
   }
 
-  /// Where something remains: what can be set in a servo need not have been in every recording.
+  /// If something remains: a cause that is a servo setting may be inactive in some recordings.
   void lookForConfigurationChanges() {
     fine_.setBase(selection_.causes);
     if (fine_.hasFloatingBase() || selection_.remainder().mayRemain() || tryConfigurationOfSome()) return;
@@ -273,8 +273,8 @@ private:
     }
   }
 
-  /// A setting that some recordings had makes whatever fits both kinds best look better than it. Whether
-  /// beginning with it explains all.
+  /// If only some recordings had a setting, a cause that fits both kinds can look better than it. Returns
+  /// whether a start with the setting explains all.
   bool tryConfigurationOfSome() {
     const Explanation old = selection_.causes;
     std::vector<Candidates> kept = selection_.choices;
@@ -295,27 +295,27 @@ private:
     return false;
   }
 
-  /// What is left beyond noise may be what a cause predicts better than its rival: of causes that differ by
-  /// no more than that, the one named is the more probable one before the data. Sets of several were chosen
-  /// by what they predict together.
+  /// The remainder beyond noise can make a cause look better than its rival. Of causes that differ by no more
+  /// than that, it names the one that is more probable before the data. Sets of several causes were chosen by
+  /// what they predict together.
   void nameTheMostProbable() {
     fine_.setBase(selection_.causes);
     result_.left = leftPerDirection(fine_);
     if (selection_.causes.size() != 1 || chosenAcrossGroups_ || fine_.hasFloatingBase()) return;
     Candidates& list = selection_.choices.front();
     sortByProbability(list, result_.left);
-    // Where an effect is may have been chosen otherwise (what is set in one servo is set in all).
+    // The place of an effect may have another reason (a setting of one servo is assumed in all).
     if (list.empty() || list.front().cause.effect == selection_.causes.front().effect) return;
     selection_.causes.front() = list.front().cause;
     fine_.setBase(selection_.causes);
   }
 
   void judge(double leftOnFixedBase, bool foundOnFixedBase) {
-    // What another engine does otherwise may be left of a large gap.
+    // Of a large gap, the differences of another engine may remain.
     const Remainder left = selection_.remainder();
     double onFeet = left.unaccountedOnFloatingBase();
     if (foundOnFixedBase && leftOnFixedBase <= 1) onFeet = std::min(onFeet, maxFloatingBaseLeft);
-    // What predicts a setting that it was not fitted to is not put together for the others.
+    // A set that predicts a setting without being fitted to it is no chance combination.
     const int together = chosenAcrossGroups_ ? 1 : mostAtOneJoint(selection_.causes);
     double remains =
         std::max({left.unaccountedOnFixedBase(), onFeet, leftOnFixedBase}) * (1 + crowded * (together - 1));

@@ -11,7 +11,7 @@ namespace plumbline::gap {
 
 namespace {
 
-/// What doubt in a prediction costs: a wide guess is right more often and worth less.
+/// The cost of uncertainty in a prediction: a wide guess is right more often and is worth less.
 double doubt(double own, double weight) { return weight == own ? 0 : std::log(own / weight); }
 
 /// On a floating base, a foot that slips or lands a moment too late changes the rest of the run. So beyond a
@@ -72,7 +72,7 @@ private:
   double rr_ = 0, rv_ = 0, vv_ = 0, n_ = 0;
 };
 
-/// Puts the signals that were replayed in the place of those that were there.
+/// Replaces the signals that were replayed.
 void takeOver(Prediction&& fresh, Prediction& all) {
   for (std::size_t s = 0; s < fresh.values.size(); ++s) {
     if (fresh.values[s].empty()) continue;
@@ -118,7 +118,7 @@ std::vector<int> Evaluator::chainsThatDiffer(const Explanation& other) const {
     for (const Cause& cause : *one) {
       if (std::ranges::find(*two, cause) != two->end()) continue;
       std::vector<int> touched = jointsTouched(cause);
-      // Any chain will do for readings of the body.
+      // Any chain is enough for readings of the body.
       if (touched.empty()) touched = jointsTouched({nullptr, {Site::joint, 0, ""}, 0, 0});
       for (const int joint : touched)
         if (std::ranges::find(joints, joint) == joints.end()) joints.push_back(joint);
@@ -235,7 +235,7 @@ void Evaluator::addChange(const Prediction& candidate, std::size_t t, std::size_
   const std::size_t first = data_.block(t, 0);
   std::vector<Block> blocks(data_.block(t, trial.cycles() - 1) - first + 1, Block(trial.freeBase));
   data_.forEach(t, s, predictions_[t], [&](std::size_t k, double known, double r) {
-    // A replay that ran away counts as far off, not as lost.
+    // A replay that diverged counts as a large error, not as missing.
     const double d = std::isfinite(predicted[k]) ? predicted[k] - before[k] : 1e3;
     const double w = weights[k] * Evidence::certainty(candidate, s, k, weights[k]);
     Block& block = blocks[data_.block(t, k) - first];

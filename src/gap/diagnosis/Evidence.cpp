@@ -37,8 +37,8 @@ double steppingShare(SignalKind kind) {
                                              : stepping;
 }
 
-/// What engines differ by where a robot steps, in the signal's unit: a share of how far it swings, of a joint
-/// beside its command.
+/// The difference between engines where a robot steps, in the signal's unit: a share of how far it swings; of
+/// a joint, about its command.
 double steppingSpread(const Trial& trial, const Signal& signal) {
   if (trial.restarts.empty()) return 0;
   double n = 0, sum = 0, squares = 0;
@@ -90,7 +90,7 @@ Evidence::Evidence(std::vector<Trial> trials, std::vector<std::vector<SignalNois
                    spread = std::hypot(engineSpread(trial, signal), steppingSpread(trial, signal));
       for (std::size_t k = 0; k < trial.cycles(); ++k) {
         if (!std::isfinite(signal.values[k]) || trial.time[k] - trial.time[0] < startSeconds) continue;
-        // How hard a foot lands is the engine's own.
+        // The force of a landing differs between engines.
         if (signal.joint < 0 && !trial.betweenSteps.empty() && !trial.betweenSteps[k]) continue;
         const double rate = signal.kind == SignalKind::position ? rateAt(trial, signal, k) : 0;
         w[k] = 1 / (sigma * sigma + spread * spread + timing * timing * rate * rate);

@@ -122,7 +122,7 @@ public:
     all(step, gearStep, settle, restarts);
   }
   void add(const DiagnosisOptions& options) {
-    // Do not decide: jobs, memory, progress.
+    // Without influence: jobs, memory, progress.
     const auto& [jobs, maxCauses, memory, progress] = options;
     add(maxCauses);
   }

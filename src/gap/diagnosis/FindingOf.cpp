@@ -13,7 +13,7 @@ namespace {
 constexpr double rivalShare = 0.01;  // probability that is worth a word
 constexpr double z = 1.96;           // of 95 %
 
-/// Interval of a rate of which `found` cases were counted (Wilson, "Probable inference, the law of
+/// Interval of a rate after `found` cases were counted (Wilson, "Probable inference, the law of
 /// succession, and statistical inference", J. American Statistical Association 22, 1927).
 Bounds rateInterval(double rate, double found) {
   if (!(rate > 0) || !(found > 0)) return {0, 1};
@@ -22,7 +22,7 @@ Bounds rateInterval(double rate, double found) {
   return {std::max(0.0, middle - reach), std::min(1.0, middle + reach)};
 }
 
-/// Which commands got lost is chance: a rate differs from the share that happened to be lost.
+/// Commands are lost by chance, so the rate differs from the share that was lost.
 void addChance(const Evaluator& fine, Finding& finding) {
   double found = 0;
   for (const auto& cycles : fine.lostCycles()) found += static_cast<double>(std::ranges::count(cycles, 1));

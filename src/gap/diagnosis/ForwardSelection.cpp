@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "gap/diagnosis/AcceptanceTest.h"
 #include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/LostCycles.h"
-#include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/Probability.h"
 
 namespace plumbline::gap {
@@ -17,9 +17,9 @@ namespace {
 constexpr double minShareOfRest = 0.6, minProbability = 0.5;
 constexpr double maxGainLost = 0.3;  // of the best candidate's gain lost: not tried as a further cause
 constexpr std::size_t mostTried = 3;
-constexpr int passes = 6;         // of decoding and fitting in turn
-constexpr double stronger = 1.5;  // times what was fitted: losses may stand in for the rest
-constexpr double asWell = 1.05;   // times the squares for judging: no worse
+constexpr int passes = 6;               // of decoding and fitting in turn
+constexpr double strengthRatio = 1.5;   // to what was fitted: losses may imitate the rest
+constexpr double maxErrorRatio = 1.05;  // of the squares for judging: up to this, no worse
 
 }  // namespace
 
@@ -35,15 +35,15 @@ void ForwardSelection::grow(double most) {
     }
     causes = fine_.base();
     settleLosses();
-    // What was set in one servo may have been taken for set in all: its rivals are looked for at the end.
+    // A setting of one servo may have been assumed in all servos: its rivals are searched at the end.
     const auto same = [&](const Candidate& c) { return c.cause.sameKind(causes.back()); };
     if (std::ranges::none_of(list, same)) list.clear();
     choices.push_back(std::move(list));
   }
 }
 
-/// Tries the best candidates on top of the base, values that depend on each other fitted together; keeps
-/// the most probable of those that earn their place.
+/// Adds each of the best candidates to the base, fits values that depend on each other together, and keeps
+/// the most probable candidate that passes the test.
 bool ForwardSelection::accept(const std::vector<Candidate>& list) {
   if (list.empty()) return false;
   const AcceptanceTest before(fine_);
@@ -70,13 +70,14 @@ bool ForwardSelection::accept(const std::vector<Candidate>& list) {
     const auto isIt = [&](const Cause& cause) { return cause.sameKind(all); };
     fine_.setBase(best);
     if (std::ranges::none_of(old, isIt)) setBaseTo(old, all);
-    if (fine_.baseFit().judging < asWell * bestJudging && before.passes(fine_, part)) best = fine_.base();
+    if (fine_.baseFit().judging < maxErrorRatio * bestJudging && before.passes(fine_, part))
+      best = fine_.base();
   }
   fine_.setBase(best.empty() ? old : best);
   return !best.empty();
 }
 
-/// Another cause on top of some, values that depend on each other fitted together.
+/// Adds a cause to some; values that depend on each other are fitted together.
 void ForwardSelection::setBaseTo(const Explanation& old, const Cause& cause) {
   Explanation tried = old;
   tried.push_back(cause);
@@ -87,17 +88,17 @@ void ForwardSelection::setBaseTo(const Explanation& old, const Cause& cause) {
   fine_.setBase(better ? together : tried);
 }
 
-/// Which commands were lost was decoded before what else is there was known, and that fitted to what was
-/// taken for lost: both once more, in turn, while that predicts better. Losses stand in for a part of what is
-/// there, so that is also tried as more than it was fitted to.
+/// Lost commands were decoded before the other causes were known, and these were fitted with those losses.
+/// Repeats both in turn while that predicts better. Losses can imitate a part of the other causes, so these
+/// are also tried with a greater strength than fitted.
 void ForwardSelection::settleLosses() {
   if (causes.size() < 2 || !losesCommands(causes)) return;
   for (int pass = 0; pass < passes; ++pass)
-    if (!decodeBeside(1) && !decodeBeside(stronger)) return;
+    if (!decodeBeside(1) && !decodeBeside(strengthRatio)) return;
 }
 
-/// Decodes lost commands beside the other causes, these so many times as strong, and fits those to that;
-/// keeps it if it predicts better.
+/// Decodes lost commands with the other causes at `strength` times their strength, then fits these again;
+/// keeps the result if it predicts better.
 bool ForwardSelection::decodeBeside(double strength) {
   const double before = fine_.baseFit().judging;
   const auto cyclesBefore = fine_.lostCycles();
@@ -170,7 +171,7 @@ void ForwardSelection::lookForRivals() {
   fine_.setBase(causes);
 }
 
-/// What stood for choice besides a cause that was chosen otherwise; its value fitted like theirs.
+/// The alternatives to a cause that was chosen in another way; its value is fitted like theirs.
 std::vector<Candidate> ForwardSelection::withItself(std::vector<Candidate> list, const Cause& cause) const {
   std::erase_if(list, [&](const Candidate& c) { return c.cause.sameKind(cause); });
   list.push_back(fitValue(fine_, cause, {}));

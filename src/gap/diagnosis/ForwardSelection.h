@@ -9,7 +9,7 @@
 namespace plumbline::gap {
 
 /// Forward selection: starts at the fine evaluator's base and adds one cause at a time while each passes the
-/// acceptance test (Merit.h). Code that changes `causes` from outside must also set the evaluator's base.
+/// acceptance test (AcceptanceTest.h). Outside code that changes `causes` must also set the evaluator's base.
 class ForwardSelection {
 public:
   /// coarse: replays with longer steps, for screening.

@@ -12,8 +12,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double shows = 0.35;  // mean square beyond noise from which a channel counts
-constexpr double asFar = 0.1;   // of the excess on the feet: runs on a fixed base that show as much decide
+constexpr double minExcess = 0.35;  // mean square beyond noise from which a channel counts
+constexpr double minFixedBaseShare =
+    0.1;  // of the excess on the feet: with less, runs on a fixed base do not decide
 constexpr double mostBlocks = 0.8;  // on the feet: the rest may come after a foot that slipped
 // For a joint that sticks. If one let go too late in MuJoCo, 2.8 % of the half-seconds deviated; with a cause
 // outside the library, 15 % and more.
@@ -92,7 +93,7 @@ double gapOnFixedBase(const Evaluator& evaluator) {
 bool fixedBaseDecides(const Evaluator& evaluator) {
   const double fixed = std::ranges::max(jointExcess(evaluator, false)),
                floating = std::ranges::max(jointExcess(evaluator, true));
-  return fixed >= asFar * floating;
+  return fixed >= minFixedBaseShare * floating;
 }
 
 WorstGap worstRestOffset(const Evaluator& evaluator) {
@@ -123,7 +124,7 @@ WorstGap worstRestOffset(const Evaluator& evaluator) {
 GapMeter::GapMeter(const Evaluator& nominal) {
   const auto& trials = nominal.evidence().trials();
   bool any = false;
-  for (const double least : {shows, -HUGE_VAL}) {
+  for (const double least : {minExcess, -HUGE_VAL}) {
     counted_.assign(trials.size(), {});
     for (std::size_t t = 0; t < trials.size(); ++t)
       for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {

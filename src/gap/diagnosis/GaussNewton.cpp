@@ -14,8 +14,8 @@ namespace plumbline::gap {
 namespace {
 
 constexpr int steps = 12, tries = 4;
-// Of a strength, for the derivative: what sticks or has limits is not smooth, and one of these may show where
-// to go where another does not.
+// Steps of a strength for the derivative: sticking and limits are not smooth, so one step may show a
+// direction where another does not.
 constexpr std::array shares = {0.02, 0.004, 0.08};
 constexpr double longest = 0.7;   // step of the logarithm of a strength
 constexpr double nothing = 2e-4;  // of the squares, a step that is not worth another
@@ -59,7 +59,7 @@ private:
     return causes;
   }
 
-  /// What is predicted of a signal: the base's where nothing of it was replayed.
+  /// Prediction of a signal: the base's if the signal was not replayed.
   const std::vector<double>& valuesOf(const Predictions& p, std::size_t t, std::size_t s) const {
     const bool own = s < p[t].values.size() && !p[t].values[s].empty();
     return own ? p[t].values[s] : evaluator_.basePrediction(t).values[s];
@@ -79,7 +79,7 @@ private:
     Eigen::VectorXd change(n);
     for (std::size_t t = 0; t < data.trials().size(); ++t)
       for (std::size_t s = 0; s < data.trials()[t].signals.size(); ++s) {
-        // Doubt in a prediction does not weigh here; whether a step is taken is judged with it.
+        // The uncertainty of a prediction counts when a step is judged, not here.
         Prediction here;
         here.values.resize(s + 1);
         here.values[s] = valuesOf(played_, t, s);
@@ -106,7 +106,7 @@ private:
     return moved(by * Eigen::VectorXd::Unit(n, i))[k].value != at_.causes[k].value;
   }
 
-  /// One step downhill, more damped until it is one; false where none is.
+  /// Takes one step downhill, with more damping until one succeeds; false if none does.
   bool take(const Slopes& slopes, double& damping) {
     for (int attempt = 0; attempt < tries; ++attempt, damping *= 10) {
       Eigen::MatrixXd normal = slopes.normal;

@@ -8,8 +8,8 @@
 #include <utility>
 
 #include "framework/Parallel.h"
+#include "gap/diagnosis/AcceptanceTest.h"
 #include "gap/diagnosis/CauseSearch.h"
-#include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/ValueFit.h"
 #include "gap/replay/Ensemble.h"
@@ -21,10 +21,10 @@ namespace {
 constexpr std::size_t width = 3;        // sets that go on
 constexpr std::size_t fittedAgain = 6;  // of the longer sets: a fit that stuck may go on
 constexpr int fitPasses = 3;            // of fits, of a set that was chosen
-// What a further cause has to take away, of the error and of the nominal model's.
+// A further cause must remove these shares of the error and of the nominal model's error.
 constexpr double leastShare = 0.05, leastOfAll = 0.02;
 
-/// What tells one servo setting from another.
+/// What distinguishes one servo setting from another.
 std::vector<double> gainsOf(const Trial& trial) {
   std::vector<double> gains;
   for (const auto& joint : trial.robot->joints)
@@ -32,7 +32,7 @@ std::vector<double> gainsOf(const Trial& trial) {
   return gains;
 }
 
-/// Whether what causes foretell is in doubt, which would excuse whatever they do not explain.
+/// Whether the prediction of causes is uncertain, which would excuse all that they do not explain.
 bool inDoubt(const Mechanism& mechanism, const Explanation& causes) {
   return anyLimitCycle(plantOf(mechanism, causes));
 }
@@ -151,7 +151,7 @@ GroupedCrossValidation::Tried GroupedCrossValidation::withKind(const Tried& from
     }
     tried.perFold[f] = std::move(best);
   }
-  // No start led anywhere.
+  // No start was successful.
   if (std::ranges::any_of(tried.perFold, &Explanation::empty)) {
     tried.error = INFINITY;
     return tried;

@@ -11,8 +11,8 @@ namespace plumbline::gap {
 /// noise. Hypotheses that differ in their last cycles are replayed in parallel, and of those that agree in
 /// them only the best continues. This is Viterbi's algorithm with per-survivor processing (Raheli, Polydoros
 /// and Tzou, "Per-survivor processing", IEEE Trans. Communications 43, 1995). The number of survivors of a
-/// cycle is a third of the square of told. told: cycles until the readings show whether a command was lost;
-/// hypotheses are compared in these. Returns one flag per cycle; a loss that changes nothing does not count.
+/// cycle is a third of detectionCycles squared: cycles until the readings show a loss; hypotheses are
+/// compared in these. Returns one flag per cycle; a loss that changes nothing does not count.
 std::vector<std::uint8_t> decodeLosses(const Plant& plant, const Evidence& evidence, std::size_t trial,
                                        double price, std::size_t detectionCycles);
 

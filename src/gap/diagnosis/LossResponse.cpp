@@ -12,10 +12,12 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr std::size_t samples = 4;              // replays, each with a loss in every reach cycles
-constexpr double enough = 2, visible = 4;       // times the price
-constexpr double most = 0.9, nearlyAll = 0.95;  // of the losses; of what one changes
-constexpr double margin = 1.25;                 // losses near each other take longer to tell apart
+constexpr std::size_t samples = 4;     // replays, each with a loss in every reach cycles
+constexpr double detectionRatio = 2;   // change over price from which a loss is detected
+constexpr double visibleRatio = 4;     // change over price from which a loss counts
+constexpr double detectedShare = 0.9;  // of the losses
+constexpr double settledShare = 0.95;  // of what a loss changes
+constexpr double margin = 1.25;        // losses near each other take longer to separate
 
 /// Sum of what a loss changes, in squares over noise, up to each of the cycles after it.
 std::vector<double> changeAfter(std::size_t cycle, const Prediction& with, const Prediction& without,
@@ -60,16 +62,16 @@ LossResponse lossResponse(const Plant& plant, const Evidence& evidence, std::siz
     const Prediction some = replay(plant, evidence.trials()[t], options);
     for (std::size_t k = first; k + LossResponse::reach <= cycles; k += LossResponse::reach) {
       const std::vector<double> change = changeAfter(k, some, none, evidence, t);
-      if (change.back() < visible * price) continue;
-      detection.push_back(cyclesTo(enough * price, change));
-      settling.push_back(cyclesTo(nearlyAll * change.back(), change));
+      if (change.back() < visibleRatio * price) continue;
+      detection.push_back(cyclesTo(detectionRatio * price, change));
+      settling.push_back(cyclesTo(settledShare * change.back(), change));
     }
   }
   LossResponse response;
   if (detection.empty()) return response;
   response.detectionCycles =
       std::max(response.detectionCycles,
-               static_cast<std::size_t>(margin * static_cast<double>(quantile(detection, most))));
+               static_cast<std::size_t>(margin * static_cast<double>(quantile(detection, detectedShare))));
   response.settlingCycles = std::max(response.settlingCycles, quantile(settling, 0.5));
   return response;
 }

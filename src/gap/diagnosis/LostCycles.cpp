@@ -31,8 +31,8 @@ public:
         gains_(trial_.cycles(), 0),
         seen_(trial_.cycles(), 0),
         offTime_(trial_.cycles(), 0) {
-    // Where a loss takes long to show, much else can be told as losses; that repeats agree tells these apart,
-    // and saves the time.
+    // If a loss takes long to show, losses can imitate much else. Repeats that agree show that nothing was
+    // lost, which saves the time.
     if (response_.detectionCycles > LossResponse::minDetection && repeatsAgree(evidence_.trials())) return;
     lost_ = decodeLosses(plant_, evidence_, t_, cycleGain, response_.detectionCycles);
     for (int round = 0; round < rounds; ++round) {
@@ -43,7 +43,7 @@ public:
 
   std::vector<std::uint8_t> cycles() const { return lost_; }
   bool visible(std::size_t k) const { return seen_[k] >= visibleChange; }
-  /// Whether a loss left the joint one cycle late, as near as the readings tell.
+  /// Whether a loss left the joint one cycle late, as far as the readings show.
   bool onTime(std::size_t k) const {
     return std::abs(offTime_[k]) < aboutOne + 2 / std::sqrt(std::max(1.0, seen_[k]));
   }

@@ -42,7 +42,7 @@ bool sameTimes(const Trial& a, const Trial& b) {
   return true;
 }
 
-/// What is left in each trial's signals tells the noise, the readings tell the encoder's steps.
+/// Estimates the noise from each trial's residuals, and the encoder's steps from the readings.
 std::vector<std::vector<SignalNoise>> estimate(const std::vector<Trial>& trials,
                                                const std::vector<Trial>& left, NoiseFrom from) {
   // A channel has one noise for all runs of the same kind of base.

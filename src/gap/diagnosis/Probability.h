@@ -9,8 +9,8 @@ namespace plumbline::gap {
 constexpr double correlation = 8;
 
 /// Sorts by probability, highest first: by the prediction of data that was not fitted, and by the prior.
-/// left: squares beyond noise that remain per direction of the data, whatever is chosen (see Merit.h); a
-/// difference between two candidates may come from these.
+/// left: squares beyond noise that remain per direction of the data, whatever is chosen (see
+/// AcceptanceTest.h); a difference between two candidates may come from these.
 void sortByProbability(std::vector<Candidate>& list, double left = 0);
 
 /// A sum of squares for judging plus the term for a cause's prior: the cause with the lower sum is more

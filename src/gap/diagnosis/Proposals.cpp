@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <utility>
 
+#include "gap/diagnosis/AcceptanceTest.h"
 #include "gap/diagnosis/CauseSearch.h"
 #include "gap/diagnosis/DeviatingJoints.h"
 #include "gap/diagnosis/LostCycles.h"
-#include "gap/diagnosis/Merit.h"
 #include "gap/diagnosis/PossibleCauses.h"
 #include "gap/diagnosis/Probability.h"
 #include "gap/replay/Ensemble.h"

@@ -9,9 +9,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double clearly = 1.5;    // times another noise
-constexpr double explained = 0.5;  // of the squares of what they differ by
-constexpr int rounds = 2;          // losses jerk at a channel's own noise: it is lower once they are known
+constexpr double minNoiseRatio = 1.5;      // times another noise
+constexpr double minExplainedShare = 0.5;  // of the squares of what they differ by
+constexpr int rounds = 2;  // losses jerk at a channel's own noise: it is lower once they are known
 
 /// Whether what was taken for noise is clearly more than in another evidence of the same runs, in half of the
 /// joints that were repeated with the base fixed.
@@ -23,7 +23,7 @@ bool isNoisier(const Evidence& byRepeats, const Evidence& other) {
       const SignalNoise& noise = byRepeats.noise(t, s);
       if (trial.freeBase || trial.signals[s].kind != SignalKind::position || !noise.repeated) continue;
       ++joints;
-      differ += noise.sigma > clearly * other.noise(t, s).sigma;
+      differ += noise.sigma > minNoiseRatio * other.noise(t, s).sigma;
     }
   }
   return differ * 2 > joints;
@@ -79,7 +79,8 @@ std::optional<Evidence> evidenceBesideLosses(const Evidence& byRepeats, const Ex
   for (int round = 0; round < rounds; ++round) {
     const LostCycles lost = findLostCycles(evidence, causes, jobs);
     const std::vector<Prediction> predictions = predictionsWith(lost, causes, evidence);
-    if (round == 0 && (lost.found < LostCycles::least || explainedBy(predictions, evidence) <= explained))
+    if (round == 0 &&
+        (lost.found < LostCycles::least || explainedBy(predictions, evidence) <= minExplainedShare))
       return {};
     evidence = Evidence(trials, estimateNoiseBeside(predictions, trials));
   }

@@ -7,7 +7,7 @@ namespace plumbline::gap {
 inline constexpr std::array<double, 2> loadStribeckSpeeds{0.1, 0.3};  // [rad/s]
 
 /// Load friction at rest over that in motion, which falls off as exp(-(speed / v)^2): what model M4 of BAM
-/// has beside load friction and Stribeck's (Duclusaud et al. 2024).
+/// has besides load friction and Stribeck's (Duclusaud et al. 2024).
 const Effect loadStribeckFriction{
     .id = "load_stribeck_friction",
     .order = 410,

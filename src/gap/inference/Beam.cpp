@@ -14,7 +14,7 @@ namespace {
 
 constexpr int stepsInSearch = 4, stepsAtLast = 12;
 
-/// Names a set whatever its values and order.
+/// Key of a set, independent of values and order.
 std::string nameOfSet(const Explanation& causes) {
   std::vector<std::string> names;
   for (const Cause& cause : causes)
@@ -63,7 +63,7 @@ private:
     std::string name = nameOfSet(causes);
     if (scored_.contains(name)) return;
     Scored set = score(replayer_, shares_, causes, screening_.numKinds(), stepsInSearch);
-    // A cause that was fitted away makes the set the one without it.
+    // If the fit removed a cause, the set is the one without it.
     if (std::ranges::any_of(set.causes(),
                             [&](const Cause& cause) { return doesNothing(replayer_.mechanism(), cause); }))
       return;
@@ -82,7 +82,7 @@ private:
   }
   Scored best() const { return top(1).front(); }
 
-  /// Causes that may pay beside the base: those that gain half of their price to first order.
+  /// Causes that may pay if added to the base: those that gain half of their price to first order.
   std::vector<Proposal> worthTrying(const Explanation& base, std::size_t most) const {
     std::vector<Proposal> proposals = screening_.propose(replayer_, base, shares_, most);
     const double price = priceOf(1, screening_.numKinds());
@@ -90,9 +90,9 @@ private:
     return proposals;
   }
 
-  /// Adds causes to a set, those first whose predicted gain is largest. What is predicted from the nominal
-  /// model is too little for all of them by much the same factor. A set that could not be the best with twice
-  /// what that comes to is not fitted.
+  /// Adds causes to a set, in the order of predicted gain. Predictions from the nominal model are too small,
+  /// by about the same factor for all causes. A set that could not be the best with twice the corrected gain
+  /// is not fitted.
   void extend(const Explanation& base, std::size_t most) {
     constexpr double spread = 2, atLeast = 2;
     double factor = atLeast;
@@ -111,7 +111,7 @@ private:
     }
   }
 
-  /// Sets one move away, until none of them is better.
+  /// Tries sets one move away until none of them is better.
   void improve() {
     constexpr int mostRounds = 3;
     for (int round = 0; round < mostRounds; ++round) {
@@ -131,7 +131,7 @@ private:
     }
   }
 
-  /// All joints share a cause, instead of one or some that have it.
+  /// Lets all joints share a cause that one or some have.
   void shared(const Explanation& causes, std::size_t i) {
     const Cause& cause = causes[i];
     if (cause.place.site != Site::joint || !cause.effect->ofServo) return;
@@ -158,8 +158,8 @@ private:
 
 BeamResult searchSets(const Replayer& replayer, const BeamOptions& options) {
   BeamResult result = Search(replayer, options).run();
-  // What is answered is fitted to the end, and each group is left out by a fit of its own. The same is done
-  // without each of its causes, for one that the fit to the end made useless must go.
+  // The answer is fitted to the end, and each group is left out by a fit of its own. The same is done without
+  // each of its causes, because the complete fit can make one useless.
   const Shares shares = sharesOf(replayer.groups(), replayer.residuals(result.sets.front().causes()));
   const auto settled = [&](const Explanation& causes, const std::vector<Explanation>& starts) {
     return score(replayer, shares, causes, result.kinds, stepsAtLast, LeaveOut::refit, starts);

@@ -27,7 +27,7 @@ std::vector<double> thinned(const ResidualSeries& values, std::size_t from, std:
   return result;
 }
 
-/// Whether the one is the other with its sign changed, and changes what it changes the other way.
+/// Whether one is the other with the opposite sign, and its change is the opposite too.
 bool isOpposite(const Cause& one, const Cause& other) {
   const double a = one.effect->strengthOf(one.value), b = other.effect->strengthOf(other.value);
   return one.effect->linear && std::abs(a + b) <= 1e-6 * std::abs(a);
@@ -35,7 +35,7 @@ bool isOpposite(const Cause& one, const Cause& other) {
 
 }  // namespace
 
-/// What a base leaves in a cell, thinned, with the sums that a guess needs.
+/// Thinned residual of a base in a cell, with the sums that a guess needs.
 struct CandidateScreening::Left {
   struct OfCell {
     Cell cell;
@@ -51,7 +51,7 @@ struct CandidateScreening::Left {
 };
 
 struct CandidateScreening::Guessed {
-  /// toNoise: without what falls below the noise. A cause that explains nothing above it would only make up
+  /// toNoise: without the part below the noise. A cause that explains nothing above it would only compensate
   /// for how the replay is computed.
   double gain = 0, toNoise = 0;
   double share = 1;  ///< of the start's strength, that gains most
@@ -62,12 +62,12 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
     : looked_(enoughTrials(replayer.groups())) {
   const Groups& groups = replayer.groups();
   const Mechanism& robot = replayer.mechanism();
-  // A recording that is left alone by others that are left out is cut into stretches.
+  // If leaving others out leaves one recording only, it is cut into stretches.
   const std::size_t stretches = groups.count() <= 2 || groups.stretchesOfOne() ? 4 : 1;
   for (const Trial& trial : groups.trials())
     every_.push_back(std::max<std::size_t>(1, trial.cycles() / (stretches * enoughSamples)));
   const Residuals nominal = replayer.residuals({});
-  // Most that a cause can gain: nothing is left in the cells of its chains that show anything above their
+  // The most that a cause can gain: it removes everything from the cells of its chains that are above their
   // noise.
   std::vector<double> most(groups.cells().size());
   for (std::size_t c = 0; c < most.size(); ++c) {
@@ -102,8 +102,8 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
   replayFurtherStrengths(coarse, left, shares);
 }
 
-/// What one replay leaves less than another, thinned, in the signals that are used; none where they are
-/// alike.
+/// Difference of the residuals of two replays, thinned, in the signals that are used; none where they are
+/// equal.
 std::vector<CandidateScreening::Change> CandidateScreening::changesOf(const Groups& groups,
                                                                       const Residuals& nominal,
                                                                       const Residuals& with) const {
@@ -153,7 +153,7 @@ void CandidateScreening::replayStarts(const Replayer& replayer, const Residuals&
 
 namespace {
 
-/// What one cell of a start's change comes to.
+/// The effect of a start's change in one cell.
 struct Sums {
   double share, count, least, squares;  ///< of the cell; least: (noise / scale)^2
   double product, changed;              ///< weighted sums of residual * change, change^2
@@ -162,9 +162,9 @@ struct Sums {
 
   bool isVisible(double factor) const { return factor * changedBy > enginesDiffer * noise; }
 
-  /// Gain in log density where the change is taken off a factor times. While the scale is free, the logarithm
-  /// of the mean square counts; once it stands at the noise, the mean square itself. What falls below the
-  /// noise need not count.
+  /// Gain in log density if `factor` times the change is subtracted. While the scale is free, the logarithm
+  /// of the mean square counts; once it is at the noise, the mean square itself. The part below the noise
+  /// need not count.
   double gain(double factor, bool belowNoise) const {
     const auto of = [&](double square) {
       if (square > least) return std::log(square);
@@ -179,8 +179,8 @@ struct Sums {
 
 }  // namespace
 
-// A mean that a cause takes away gains little until it is nearly gone: the factor is looked for, not stepped
-// to.
+// Removing a mean gains little until it is nearly gone, so the factor is searched over its range, not by
+// small steps.
 CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const Left& left) const {
   std::vector<Sums> sums;
   for (const Change& change : start.changes)
@@ -317,13 +317,13 @@ void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const 
 std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const Explanation& base,
                                                   const Shares& shares, std::size_t most) const {
   const Left left = leftOf(within.groups(), within.residuals(base), shares);
-  // The best start of each kind (its starts follow each other) by its guess; of the best of these the gain
-  // itself.
-  struct Candidate {
+  // The best start of each kind by its guess (starts of a kind follow each other); then the exact gain of the
+  // best of these.
+  struct KindGuess {
     const Start* start;
     Guessed guessed;
   };
-  std::vector<Candidate> candidates;
+  std::vector<KindGuess> candidates;
   for (const Start& start : starts_) {
     if (std::ranges::any_of(base, [&](const Cause& cause) { return cause.sameKind(start.cause); })) continue;
     const Guessed guessed = guess(start, left);
@@ -335,10 +335,10 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
       candidates.back() = {&start, guessed};
   }
   std::ranges::stable_sort(candidates, std::ranges::greater(),
-                           [](const Candidate& candidate) { return candidate.guessed.gain; });
+                           [](const KindGuess& candidate) { return candidate.guessed.gain; });
   if (candidates.size() > mostGuessed) candidates.resize(mostGuessed);
   std::vector<Proposal> proposals;
-  for (const Candidate& candidate : candidates) {
+  for (const KindGuess& candidate : candidates) {
     const double gain = gainOf(*candidate.start, left, candidate.guessed.share);
     if (!(gain > 0)) continue;
     const Cause& cause = candidate.start->cause;

@@ -14,8 +14,8 @@ struct Proposal {
 };
 
 /// Each kind of cause (effect, place, variant) at its starting values, replayed once under the nominal model.
-/// What it changes (its sensitivity) then tells, without any further replay, what it would gain beside any
-/// other set, and in any of the groups: the projection of the residual on the sensitivity.
+/// Its change (the sensitivity) then shows, without any further replay, what it would gain in addition to any
+/// other set, in any of the groups: the projection of the residual on the sensitivity.
 class CandidateScreening {
 public:
   /// Kinds whose chains have nothing to gain (scales at their noise, under these shares) are not replayed;

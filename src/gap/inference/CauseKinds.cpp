@@ -12,7 +12,7 @@ namespace {
 
 constexpr double mostUnits = 1e3;  // units
 
-/// Joints that a cause's sensitivity is read from.
+/// Joints whose channels show a cause's sensitivity.
 std::vector<int> jointsOf(const Mechanism& robot, const Place& place) {
   switch (place.site) {
     case Site::joint: {

@@ -12,7 +12,7 @@ struct CauseKind {
   Cause cause;                  ///< at one unit
   double unit = 0;              ///< strength (Effect::strengthOf) of the middle of its effect's starts
   double lower = 0, upper = 0;  ///< bounds of a value, in units
-  /// Joints whose channels tell its sensitivity; empty: all.
+  /// Joints whose channels show its sensitivity; empty: all.
   std::vector<int> joints;
 };
 

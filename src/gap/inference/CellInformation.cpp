@@ -12,7 +12,7 @@ namespace {
 
 constexpr double difference = 0.02;  // step of derivatives, in the logarithm of a strength
 
-/// Each cause a step away in turn, and how far that is.
+/// Moves each cause by a step in turn, with the size of the step.
 struct Moved {
   std::vector<Residuals> residuals;
   std::vector<double> steps;
@@ -45,7 +45,7 @@ std::optional<CellInformation> informationIn(const Groups& groups, std::size_t c
   const Series& here = at[cell.trial][cell.signal];
   if (!here) return std::nullopt;
   const auto n = static_cast<Eigen::Index>(moved.steps.size());
-  // Causes that change nothing here have no say.
+  // Causes that change nothing here do not count.
   std::vector<Eigen::Index> felt;
   for (Eigen::Index i = 0; i < n; ++i)
     if (const auto j = static_cast<std::size_t>(i);

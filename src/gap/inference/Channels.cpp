@@ -77,8 +77,8 @@ struct Found {
 /// Per channel, by name and kind of base.
 using Channels = std::map<std::pair<std::string, bool>, Found>;
 
-/// A channel that hardly moves does not show its grid, and a perfect model would seem to be right to many
-/// more digits than it is read to. It is taken to have the grid of the channels of its kind.
+/// A channel that hardly moves does not show its grid, so a perfect model would seem more exact than the
+/// readings are. It gets the grid of the channels of its kind.
 void findSteps(Channels& channels) {
   std::map<std::pair<SignalKind, bool>, std::vector<double>> ofKind;
   for (auto& [name, found] : channels) {
@@ -100,7 +100,7 @@ double rmsDuty(const Signal& supplyCurrent, const Servo& servo) {
   return n > 0 && servo.vin > 0 ? std::sqrt(sum / n * servo.R / servo.vin) : 0;
 }
 
-/// What the readings' noise of the measured angle makes of a predicted duty, torque [N m] or current [A].
+/// Noise of a predicted duty, torque [N m] or current [A] that comes from the noise of the measured angle.
 double effortOfAngle(const Trial& trial, const Signal& effort, const Channels& channels) {
   const Signal* const position = positionOf(trial, effort.joint);
   if (!position) return 0;
@@ -157,7 +157,7 @@ double smallestStep(std::vector<double> values) {
   for (const double step : steps)
     if (step < 1.5 * smallest) alike.push_back(step);
   const double step = medianOf(alike);
-  // A grid as fine as the readings are many is no grid.
+  // With as many steps as readings there is no grid.
   if (most / step > 4 * static_cast<double>(values.size())) return 0;
   std::size_t multiples = 0;
   for (const double other : steps)

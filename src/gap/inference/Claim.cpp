@@ -66,7 +66,7 @@ std::vector<double> closedPerGroup(const std::vector<RecordingLeft>& leftOut,
   for (std::size_t i = 0; i < leftOut.size(); ++i) {
     const std::size_t group = groupOfRecording[i];
     if (sums.size() <= group) sums.resize(group + 1, 0), counts.resize(group + 1, 0);
-    // A recording that shows no gap cannot show how much of one closes.
+    // A recording without a gap cannot show which share of it closes.
     if (!leftOut[i].showsGap()) continue;
     sums[group] += leftOut[i].closedToNoise();
     ++counts[group];

@@ -33,9 +33,9 @@ public:
   virtual const Mechanism& mechanism() const = 0;
   /// Those that the coefficients can show.
   virtual std::vector<CauseKind> kinds() const = 0;
-  /// Columns count from now on for what they are worth beside what these causes leave; false where they
-  /// always count alike.
-  virtual bool weighBeside(const Explanation& /*causes*/) { return false; }
+  /// Sets the share that each column counts for, from what these causes leave. False where shares never
+  /// change.
+  virtual bool updateColumnShares(const Explanation& /*causes*/) { return false; }
 };
 
 }  // namespace plumbline::gap

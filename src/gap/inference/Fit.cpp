@@ -66,7 +66,7 @@ private:
     return true;
   }
 
-  /// Derivatives of all groups at the present values, where they are not there yet.
+  /// Computes the missing derivatives of all groups at the present values.
   void linearise() {
     if (linearised_) return;
     linearised_ = true;
@@ -93,10 +93,10 @@ private:
     const Eigen::VectorXd x = logStrengths(fitted_.causes);
     for (int attempt = 0; attempt < 4; ++attempt, damping_ *= 8) {
       Eigen::MatrixXd damped = information;
-      // What nothing depends on stays.
+      // A value that nothing depends on stays.
       damped.diagonal() += damping_ * information.diagonal() + Eigen::VectorXd::Constant(n, 1e-6);
       Eigen::VectorXd way = damped.llt().solve(gradient);
-      // Each for itself: a strength that hardly matters must not hold up the others.
+      // Tested one by one: a strength that hardly matters must not stop the others.
       way = way.cwiseMax(-farthest).cwiseMin(farthest);
       if (!moved(x + way)) continue;
       damping_ = std::max(1e-6, damping_ / 5);
@@ -104,8 +104,8 @@ private:
     }
   }
 
-  /// Where a joint sticks and slips the density is rough, and derivatives say nothing of where it rises. So
-  /// strengths of such causes are tried on both sides, ever nearer, until one is likelier.
+  /// Where a joint sticks and slips, the density is rough and derivatives do not show where it rises. So
+  /// strengths of such causes are tried on both sides, closer each time, until one is likelier.
   bool sweep(std::size_t strides) {
     for (const double way : std::span(sweepStrides).first(strides))
       for (std::size_t i = 0; i < fitted_.causes.size(); ++i)
@@ -113,7 +113,7 @@ private:
     return false;
   }
 
-  /// Strides of one strength, as long as each is likelier.
+  /// Moves one strength in strides, as long as each is likelier.
   bool stride(std::size_t i, double way) {
     const double before = fitted_.density;
     Eigen::VectorXd x = logStrengths(fitted_.causes);

@@ -26,7 +26,7 @@ FreeCoefficients::FreeCoefficients(const Replayer& replayer)
     cells_.push_back(std::move(mean));
     cells_.push_back(std::move(cell));
   }
-  weighBeside({});
+  updateColumnShares({});
 }
 
 Coefficients FreeCoefficients::coefficients(const Explanation& causes) const {
@@ -48,7 +48,7 @@ Coefficients FreeCoefficients::coefficients(const Explanation& causes) const {
 
 std::vector<CauseKind> FreeCoefficients::kinds() const { return causeKinds(groups(), mechanism()); }
 
-bool FreeCoefficients::weighBeside(const Explanation& causes) {
+bool FreeCoefficients::updateColumnShares(const Explanation& causes) {
   const Shares shares = sharesOf(groups(), replayer_.residuals(causes, looked_));
   for (std::size_t i = 0; i < sources_.size(); ++i) {
     const Cell& of = groups().cells()[sources_[i]];

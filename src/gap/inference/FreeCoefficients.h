@@ -17,7 +17,7 @@ public:
   const Groups& groups() const override { return replayer_.groups(); }
   const Mechanism& mechanism() const override { return replayer_.mechanism(); }
   std::vector<CauseKind> kinds() const override;
-  bool weighBeside(const Explanation& causes) override;
+  bool updateColumnShares(const Explanation& causes) override;
 
 private:
   const Replayer& replayer_;

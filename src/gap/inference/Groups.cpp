@@ -11,7 +11,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t numStretches = 4;
-constexpr double enoughSeconds = 30;  // of recordings, to tell causes apart
+constexpr double enoughSeconds = 30;  // of recordings, to separate causes
 constexpr double engines =
     0.5;  // of a channel's noise: what two engines differ by with one and the same model
 

@@ -16,13 +16,13 @@ struct Cell {
 };
 
 /// Recordings in groups of which each is left out by itself: segments and repeats of one recording are one
-/// group. Where that makes one group alone, four stretches (stretchesOf) stand for groups, and the answer
+/// group. Where that makes one group alone, four stretches (stretchesOf) serve as groups, and the answer
 /// says so.
 class Groups {
 public:
   explicit Groups(std::vector<Trial> trials);
 
-  /// The same without one group: the others, numbered anew; one that is left alone is cut into stretches.
+  /// The same without one group: the others, renumbered; one that is left alone is cut into stretches.
   Groups without(std::size_t group) const;
 
   const std::vector<Trial>& trials() const { return *all_; }

@@ -13,14 +13,14 @@ namespace {
 struct Sum {
   double squares = 0, n = 0;
   void add(double r) {
-    // What ran away counts as a large error.
+    // A replay that diverged counts as a large error.
     squares += std::isfinite(r) ? r * r : 1e6;
     ++n;
   }
   double rms() const { return n > 0 ? std::sqrt(squares / n) : 0; }
 };
 
-/// Positions of a recording together.
+/// All positions of a recording together.
 void sumUp(RecordingLeft& left) {
   double before = 0, after = 0, floor = 0, noise = 0, n = 0, floors = 0;
   for (const SignalLeft& s : left.signals) {

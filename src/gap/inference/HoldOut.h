@@ -21,8 +21,8 @@ struct SignalLeft {
   double samples = 0;
   double noise = 0;  ///< of the readings, as the channel itself shows it
 
-  double leastLeft() const { return std::max(floor, noise); }
-  bool showsGap() const { return before > gapShown * leastLeft(); }
+  double noiseFloor() const { return std::max(floor, noise); }
+  bool showsGap() const { return before > gapShown * noiseFloor(); }
 };
 
 /// The same of a recording: of its positions together [rad, or m].
@@ -35,10 +35,10 @@ struct RecordingLeft {
   double noise = 0;
   double closed() const { return before > floor ? (before - after) / (before - floor) : 0; }
   /// Of what is above the noise as well: repeats are rounded alike, and what no model closes is no gap.
-  double leastLeft() const { return std::max(floor, noise); }
-  bool showsGap() const { return before > gapShown * leastLeft(); }
+  double noiseFloor() const { return std::max(floor, noise); }
+  bool showsGap() const { return before > gapShown * noiseFloor(); }
   double closedToNoise() const {
-    return before > leastLeft() ? std::min(1.0, (before - after) / (before - leastLeft())) : 0;
+    return before > noiseFloor() ? std::min(1.0, (before - after) / (before - noiseFloor())) : 0;
   }
 };
 

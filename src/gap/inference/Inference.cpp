@@ -21,7 +21,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double leastRival = 0.01;  // probability of what is named beside
+constexpr double leastRival = 0.01;  // probability of an alternative that is named
 
 /// Pooled root mean square of the positions [rad, or m].
 double positionsLeft(const Replayer& replayer, const Explanation& causes) {
@@ -60,7 +60,7 @@ Worst worstOf(const Replayer& replayer, const Explanation& causes) {
   return worst;
 }
 
-/// What repeats differ by, in the same terms.
+/// The difference between repeats, in the same terms.
 Worst worstOfRepeats(const Groups& groups) {
   Worst worst;
   for (std::size_t t = 0; t < groups.trials().size(); ++t)
@@ -97,9 +97,9 @@ std::vector<Rival> rivalsOf(const std::vector<Scored>& sets, const std::vector<d
   return rivals;
 }
 
-/// Mean over the search in all groups and those without one. What a few recordings alone make likely is not
-/// sure. This is a posterior averaged over data sets (Huggins and Miller, "Reproducible model selection using
-/// bagged posteriors", Bayesian Analysis 18, 2023).
+/// Mean over the search in all groups and those without one: a cause that only a few recordings support is
+/// not sure. This is a posterior averaged over data sets (Huggins and Miller, "Reproducible model selection
+/// using bagged posteriors", Bayesian Analysis 18, 2023).
 double probabilityIn(const Cause& cause, const std::vector<Scored>& sets, const std::vector<double>& p,
                      const std::vector<FoundWithout>& without) {
   double sum = probabilityOf(cause, sets, p);
@@ -107,7 +107,7 @@ double probabilityIn(const Cause& cause, const std::vector<Scored>& sets, const 
   return sum / static_cast<double>(without.size() + 1);
 }
 
-/// The only recording that a cause gains in; empty where several do, or stretches stand for recordings.
+/// The only recording in which a cause gains; empty where several do, or stretches serve as recordings.
 std::string onlySupport(const Groups& groups, const Scored& best, const Scored& lessOne) {
   if (groups.stretchesOfOne()) return "";
   std::vector<std::size_t> gaining;
@@ -209,7 +209,7 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
                                                 : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + beyond * beyond);
   for (const FoundWithout& of : without) result.foundWithout.push_back(of.causes);
-  // What explains all there is has the right values.
+  // If the causes explain everything, their values are right.
   if (diagnosis.verdict == Verdict::unknown && fixedBase && differsByJoint(robot, best.causes())) {
     const Replayer& quick = coarse ? *coarse : replayer;
     for (std::size_t g = 0; g < without.size(); ++g) {

@@ -37,7 +37,7 @@ double pullOf(const StretchFit& stretch, double share, const CellInformation& of
   return std::sqrt(discrepancy * stretch.samples * share * std::max(0.0, way.dot(of.about * way)));
 }
 
-/// The profile of the log density near the fit: one value is set, the others follow.
+/// Profile of the log density near the fit: one value is fixed, the others are fitted.
 class Profile {
 public:
   Profile(const Replayer& replayer, const Explanation& causes, const Shares& shares)
@@ -108,7 +108,7 @@ std::vector<Bounds> intervalsOf(const Replayer& replayer, const Scored& scored) 
     const Eigen::VectorXd way = covariance.col(i) / covariance(i, i);
     const auto endAt = [&](double side) {
       const double reach = profile.reach(side * way, deviations * deviation, deviations * mostDeviation);
-      // The bias goes with the variance that the profile has, which the curvature at an edge has not.
+      // The bias is scaled with the variance of the profile, because the curvature at an edge is not it.
       const double scale = std::pow(reach / (deviations * deviation), 2);
       const double half = std::sqrt(std::max(reach * reach, deviations * deviations * jackknife) +
                                     std::pow(deviations * scale, 2) * bias);

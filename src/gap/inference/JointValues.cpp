@@ -26,7 +26,7 @@ Explanation withJointValues(const Replayer& replayer, const Explanation& causes)
   if (!differsByJoint(robot, causes)) return causes;
   PerJoint fitted = perJoint(robot, causes, kindsAtJoints(causes));
   fitted.left = shareLeft(replayer, causes);
-  // The scale of what is left is that of the last round.
+  // The scale of the remainder is that of the last round.
   for (int round = 0; round < rounds; ++round) {
     const double left = fitted.left;
     fitted = fitPerJoint(replayer, std::move(fitted), stepsOfRound,

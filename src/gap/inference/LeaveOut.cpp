@@ -38,7 +38,7 @@ std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSea
 
 namespace {
 
-/// From what is left in each trial.
+/// From the residual of each trial.
 std::vector<RecordingLeft> perRecording(const Groups& groups, const std::vector<RecordingLeft>& perTrial) {
   std::map<std::string, std::vector<RecordingLeft>> parts;
   std::vector<std::string> order;

@@ -74,7 +74,7 @@ Eigen::MatrixXd LinearResiduals::left(std::size_t cell, const std::vector<std::s
   return residuals;
 }
 
-/// With the covariances that are likeliest for what these strengths leave.
+/// With the likeliest covariances for the residuals at these strengths.
 LinearResiduals::Equations LinearResiduals::equations(const std::vector<std::size_t>& kinds,
                                                       const Eigen::VectorXd& at) const {
   const auto n = static_cast<Eigen::Index>(kinds.size());
@@ -103,7 +103,7 @@ LinearResiduals::Equations LinearResiduals::equations(const std::vector<std::siz
   return equations;
 }
 
-/// The strengths of least squares, what would leave its bounds held there.
+/// The strengths of least squares; a strength that would leave its bounds is held there.
 Eigen::VectorXd LinearResiduals::solve(const std::vector<std::size_t>& kinds,
                                        const Eigen::MatrixXd& information,
                                        const Eigen::VectorXd& right) const {

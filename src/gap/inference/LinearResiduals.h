@@ -41,7 +41,7 @@ public:
   SetScore score(const std::vector<std::size_t>& kinds) const;
   /// The strengths alone, fitted to all groups.
   Eigen::VectorXd fit(const std::vector<std::size_t>& kinds) const;
-  /// Kinds that would gain beside a set, the best first, by the curvature and slope of the log density at it.
+  /// Kinds that would gain if added to a set, best first, by curvature and slope of the log density at it.
   std::vector<std::size_t> proposals(const StrengthSet& set, std::size_t most) const;
   const StrengthSet& middle() const { return middle_; }
 

@@ -42,9 +42,9 @@ private:
     if (options_.progress) options_.progress(share);
   }
 
-  /// Takes the linear picture anew beside a set.
+  /// Linearises again, about a set.
   void lookFrom(const StrengthSet& set) {
-    weighedAnew_ = replayer_.weighBeside(fitter_.causesOf(set));
+    sharesUpdated_ = replayer_.updateColumnShares(fitter_.causesOf(set));
     linear_.emplace(fitter_.linearise(set, fitter_.all()));
     scored_.clear();
   }
@@ -69,7 +69,7 @@ private:
     return kinds;
   }
 
-  /// The best of what a single move leads to from a set: add a cause, drop one, put another in its place.
+  /// The best set after a single move: add a cause, drop one, or replace one.
   std::vector<std::size_t> moved(const std::vector<std::size_t>& kinds) {
     std::vector<std::size_t> best = kinds;
     const auto look = [&](const std::vector<std::size_t>& other) {
@@ -87,7 +87,7 @@ private:
     return best;
   }
 
-  /// The best set that single moves lead to in the linear picture.
+  /// The best set that single moves reach in the linear model.
   StrengthSet climb(std::vector<std::size_t> kinds) {
     for (;;) {
       std::vector<std::size_t> next = moved(kinds);
@@ -96,13 +96,13 @@ private:
     }
   }
 
-  /// Keeps, by the number of causes, the best sets on the way from this one to the empty one, where what is
-  /// missed least goes first.
+  /// Removes the causes of a set one by one, the least useful first, and keeps the best set for each number
+  /// of causes.
   void collect(std::vector<std::size_t> kinds) {
     for (;;) {
       const SetScore& scored = score(kinds);
       const auto [known, fresh] = bestBySize_.try_emplace(kinds.size(), scored);
-      if (!fresh && (weighedAnew_ || scored.score() > known->second.score())) known->second = scored;
+      if (!fresh && (sharesUpdated_ || scored.score() > known->second.score())) known->second = scored;
       if (kinds.empty()) return;
       kinds = bestLessOne(kinds);
     }
@@ -115,7 +115,7 @@ private:
     return best;
   }
 
-  /// The best of those that were collected, by their number of causes.
+  /// The best set that was collected, for each number of causes.
   std::vector<SetScore> worthSettling() const {
     std::vector<SetScore> sets;
     for (const auto& [size, scored] : bestBySize_) sets.push_back(scored);
@@ -125,7 +125,7 @@ private:
     return sets;
   }
 
-  /// These, each fitted to its end and scored by derivatives beside itself.
+  /// The same sets, each fitted completely and scored by derivatives at itself.
   std::vector<SetProposal> settled() const {
     std::vector<SetProposal> proposals;
     for (const SetScore& scored : worthSettling()) {
@@ -156,7 +156,7 @@ private:
 
   const LinearSearchOptions& options_;
   CoefficientReplayer& replayer_;
-  bool weighedAnew_ = false;  ///< scores of one round are not those of another
+  bool sharesUpdated_ = false;  ///< scores of one round are not those of another
   const StrengthFitter fitter_;
   std::optional<LinearResiduals> linear_;
   std::map<std::vector<std::size_t>, SetScore> scored_;  ///< in the present linear picture

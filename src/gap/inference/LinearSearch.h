@@ -8,7 +8,7 @@ namespace plumbline::gap {
 
 struct LinearSearchOptions {
   std::size_t mostCauses = 8;
-  int rounds = 8;                 ///< of derivatives taken anew, at most
+  int rounds = 8;                 ///< of new derivatives, at most
   std::size_t mostSettled = 100;  ///< sets that are fitted to their end, those with the best scores
   std::function<void(double share)> progress = {};
 };
@@ -21,8 +21,8 @@ struct SetProposal {
 };
 
 /// Sets of causes with the best scores by a replayer's coefficients, one for each number of causes from none
-/// on. Moves (add a cause, drop one, put another in its place) are judged by derivatives beside the set
-/// itself. A set that is better so is fitted by replays, and the derivatives are taken anew beside it.
+/// on. Moves (add a cause, drop one, put another in its place) are judged by derivatives at the set
+/// itself. A set that is better by them is fitted by replays, and new derivatives are taken at it.
 std::vector<SetProposal> proposedSets(CoefficientReplayer& replayer, const LinearSearchOptions& options);
 
 }  // namespace plumbline::gap

@@ -205,7 +205,7 @@ private:
     }
   }
 
-  /// Where a motor's step leads; what stands at a bound and is drawn beyond it stays.
+  /// One step of a motor's values; a value at its bound that would go beyond it stays.
   void step(const Motor& motor, Explanation& causes) const {
     std::vector<std::size_t> free;
     for (std::size_t k = 0; k < motor.causes.size(); ++k) {
@@ -234,7 +234,7 @@ private:
     }
   }
 
-  /// A step of all motors; those whose own position got worse go back and are damped. False where none is
+  /// A step of all motors; those whose own position got worse go back and get more damping. False if none is
   /// better.
   bool advance() {
     const std::map<int, double> costs = costsOf(squares_, at_.causes);

@@ -23,8 +23,8 @@ struct Shrinkage {
 /// The effects of causes that sit at joints, each once.
 std::vector<const Effect*> kindsAtJoints(const Explanation& causes);
 
-/// One of each effect at every joint with a motor, beside a base of other causes. What the base has of these
-/// effects is where a joint's value starts; elsewhere it starts at nominal. Throws std::invalid_argument for
+/// One of each effect at every joint with a motor, added to a base of other causes. A joint's value starts
+/// where the base has that effect, otherwise at nominal. Throws std::invalid_argument for
 /// an effect that is not of joints.
 PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const Effect* const> effects);
 PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<const std::string_view> ids);

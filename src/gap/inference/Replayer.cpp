@@ -15,7 +15,7 @@ constexpr double mostLead = 2e-4;        // of a position [s]
 constexpr double mostDutyLead = 1.5e-3;  // a servo's control cycle, at whose begin it worked a duty out [s]
 constexpr std::size_t mostKept = 40'000'000;  // numbers in the cache
 
-/// Takes off what a constant lead of the prediction explains.
+/// Subtracts the part that a constant lead of the prediction explains.
 void takeLeadOff(const Trial& trial, const Signal& signal, std::vector<double>& residual) {
   if (signal.kind != SignalKind::position && signal.kind != SignalKind::duty) return;
   const double most = signal.kind == SignalKind::duty ? mostDutyLead : mostLead;
@@ -78,7 +78,7 @@ bool Replayer::hasBodySignals(std::size_t trial) const {
   return std::ranges::any_of(data_.trials()[trial].signals, [](const Signal& s) { return s.joint < 0; });
 }
 
-// With a fixed base one more than there are: the readings of the body.
+// With a fixed base there is one more: the readings of the body.
 std::size_t Replayer::chainsOf(std::size_t trial) const {
   if (data_.trials()[trial].freeBase) return 1;
   return chainJoints_.size() + (hasBodySignals(trial) ? 1 : 0);
@@ -113,8 +113,8 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
     for (std::size_t k = 0; k < residual.size(); ++k) {
       const double predicted = prediction.values[s][k];
       const double r = signal.values[k] - predicted;
-      // What ran away is far off, not missing. The duty of a motor that is off is not predicted, nor an
-      // effort beside a gap in the measured angle.
+      // A replay that diverged is wrong, not missing. The duty of a motor that is off is not predicted, nor
+      // an effort next to a gap in the measured angle.
       const bool missing = std::isnan(signal.values[k]) || isEffort(signal.kind);
       residual[k] = missing || std::isfinite(r) ? r : 1e6;
     }

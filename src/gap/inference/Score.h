@@ -20,7 +20,7 @@ struct Scored {
 double priceOf(std::size_t causes, std::size_t kinds);
 
 /// How the values without a group are found: by one Newton step from the fit to all (halved, or not taken,
-/// where the other groups would be less likely), or fitted anew.
+/// where the other groups would be less likely), or by a new fit.
 enum class LeaveOut { newtonStep, refit };
 
 /// Fits the set to all groups under these shares, then leaves each group out in turn and replays it, free

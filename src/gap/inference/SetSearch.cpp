@@ -12,7 +12,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t mostJudged = 13;                // sets that are kept
-constexpr int rounds = 6, quickRounds = 4;            // of derivatives taken anew
+constexpr int rounds = 6, quickRounds = 4;            // of new derivatives
 constexpr std::size_t settled = 5, quickSettled = 3;  // sets that are fitted to their end
 
 bool sameKinds(const Explanation& a, const Explanation& b) {
@@ -21,7 +21,7 @@ bool sameKinds(const Explanation& a, const Explanation& b) {
          });
 }
 
-/// A cause at its bound can do nothing and still be seen, by the finer steps that its kind is replayed with.
+/// A cause at its bound can do nothing and still change the replay: its kind is replayed in finer steps.
 bool allVisible(const Replayer& replayer, const Explanation& causes) {
   for (std::size_t i = 0; i < causes.size(); ++i)
     if (doesNothing(replayer.mechanism(), causes[i]) || !isVisible(replayer, causes, i)) return false;
@@ -40,15 +40,15 @@ std::vector<Scored> inOrder(std::vector<Scored> sets) {
   return kept;
 }
 
-/// The best of the answers by the one score, with the others, the sets looked at beside, and the answer
+/// The best of the answers by the one score, with the others, the sets also looked at, and the answer
 /// without each of its causes.
-BeamResult chosen(const std::vector<SetProposal>& answers, const std::vector<Scored>& beside,
+BeamResult chosen(const std::vector<SetProposal>& answers, const std::vector<Scored>& alsoTried,
                   std::size_t kinds) {
   const auto best =
       std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); });
   const Scored answer = best->set;
   BeamResult result{{}, best->lessOne, kinds};
-  std::vector<Scored> others = beside;
+  std::vector<Scored> others = alsoTried;
   for (const SetProposal& of : answers) others.push_back(of.set);
   others.insert(others.end(), result.lessOne.begin(), result.lessOne.end());
   std::erase_if(others, [&](const Scored& set) { return sameKinds(set.causes(), answer.causes()); });
@@ -91,7 +91,7 @@ BeamResult searchInWindowsToo(const SearchTools& tools, const SetSearchOptions& 
   return chosen(answers, {found.sets.begin() + 1, found.sets.end()}, found.kinds);
 }
 
-/// Few causes are fitted set by set. Where that ends with as many as it may, derivatives propose larger sets.
+/// Few causes are fitted set by set. If that ends at the limit of causes, derivatives propose larger sets.
 BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions& options) {
   const Replayer& replayer = tools.replayer;
   std::vector<Scored> few;
@@ -111,7 +111,7 @@ BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions&
   search.mostSettled = options.quick ? quickSettled : settled;
   search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
   const Shares nominal = sharesOf(replayer.groups(), replayer.residuals({}));
-  // The best of the few ended where it had to, and is no rival of large sets.
+  // The best small set stopped at the limit, so it is no rival of large sets.
   const std::size_t kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
   std::vector<SetProposal> answers{{score(replayer, nominal, {}, kinds, 0), {}}};
   addVisible(replayer, proposedSets(coefficients, search), kinds, answers);

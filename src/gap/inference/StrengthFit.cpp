@@ -48,7 +48,7 @@ bool StrengthFitter::exclude(std::size_t a, std::size_t b) const {
   return a != b && one.effect == other.effect && one.place == other.place;
 }
 
-/// Large enough that what begins or ends at single steps of a replay (sticking) evens out.
+/// Large enough to average out what starts or ends at single steps of a replay (sticking).
 double StrengthFitter::stepOf(const StrengthSet& set, std::size_t kind) const {
   const CauseKind& of = kinds_[kind];
   if (!set.holds(kind)) return of.upper >= 1 ? 1 : of.lower <= -1 ? -1 : std::max(of.upper, -of.lower);

@@ -14,8 +14,8 @@ public:
   Explanation causesOf(const StrengthSet& set) const;
   /// Log density of what a set leaves in the cells, and of its strengths.
   double density(const StrengthSet& set) const;
-  /// Derivatives beside a set by the strengths of some kinds; what changes no channel by half of what a
-  /// perfect model leaves in it is not felt.
+  /// Derivatives at a set by the strengths of some kinds; a change of less than half of what a perfect model
+  /// leaves in each channel counts as none.
   LinearResiduals linearise(const StrengthSet& set, const std::vector<std::size_t>& wanted) const;
   std::vector<std::size_t> all() const;
   /// Damped Gauss-Newton steps. Where they gain nothing, steps along each strength in turn (pattern search:
@@ -31,7 +31,7 @@ private:
   double step(StrengthSet& set, double now) const;
   double sweep(StrengthSet& set, double now, Eigen::VectorXd& steps) const;
   double stepOf(const StrengthSet& set, std::size_t kind) const;
-  void slopesOf(const StrengthSet& beside, const Coefficients& here, const std::vector<std::size_t>& wanted,
+  void slopesOf(const StrengthSet& at, const Coefficients& here, const std::vector<std::size_t>& wanted,
                 std::vector<Coefficients>& slopes) const;
 
   const CoefficientReplayer& replayer_;

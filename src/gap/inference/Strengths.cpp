@@ -7,7 +7,7 @@ namespace plumbline::gap {
 
 namespace {
 
-/// Of the least start: below what doesNothing() asks for, so that a cause that has vanished is seen to.
+/// Share of the least start: below the limit of doesNothing(), which so notices that a cause has vanished.
 constexpr double nothing = 2e-5;
 
 }  // namespace

@@ -87,7 +87,7 @@ void WindowReplayer::layOut() {
   std::map<std::pair<std::size_t, std::string>, std::size_t> known;
   for (const Cell& cell : groups_->cells()) {
     const Signal& signal = groups_->trials()[cell.trial].signals[cell.signal];
-    // What the body's sensors read depends on all joints at once.
+    // The readings of the body's sensors depend on all joints at once.
     if (signal.joint < 0) continue;
     const auto fits = [&](const Window& window) {
       if (window.from < cell.from || window.to > cell.to) return false;

@@ -11,7 +11,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double besideStart = 0.03;     // [s] to either side of a start that tell its state
+constexpr double besideStart = 0.03;     // [s] to either side of a start that determine its state
 constexpr std::size_t leastBeside = 3;   // readings to either side
 constexpr std::size_t leastCycles = 12;  // of a window
 

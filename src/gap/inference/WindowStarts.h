@@ -7,9 +7,9 @@
 namespace plumbline::gap {
 
 /// A joint's state as its measured positions show it: a parabola fitted to those within 30 ms. Its covariance
-/// is that of the fit and, where the joint moves otherwise than a parabola, what a cubic would change.
+/// is that of the fit and, where the motion is no parabola, what a cubic would change.
 struct MeasuredState {
-  double position = 0, speed = 0;  ///< [rad, rad/s]; NaN beside gaps
+  double position = 0, speed = 0;  ///< [rad, rad/s]; NaN next to gaps
   Eigen::Matrix2d covariance = Eigen::Matrix2d::Zero();
 };
 

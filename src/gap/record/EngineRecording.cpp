@@ -56,7 +56,7 @@ public:
       world_.push(ground_.transpose() * force.force, 1e6, force.link);
     history_.clear();
     remember();
-    // The latest slice stands at time[0]; readings of a cycle are those of its slice.
+    // The latest slice is at time[0]; readings of a cycle are those of its slice.
     double now = trial_.time[0];
     for (std::size_t k = 0; k < trial_.cycles(); ++k) {
       while (now < trial_.time[k] - slice_ / 2) {

@@ -41,7 +41,7 @@ CommandTable playExcitation(const Excitation& excitation, const Mechanism& robot
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     std::vector<double>& command = table.commands[j];
     command.assign(cycles, excitation.posture[j]);
-    // Moves first: each lays the posture anew from its start on.
+    // Moves first: each sets a new posture from its start on.
     for (const Segment& segment : excitation.segments) {
       if (segment.kind != Segment::Kind::move) continue;
       for (const auto& [joint, target] : segment.joints) {

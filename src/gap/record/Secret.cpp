@@ -52,7 +52,7 @@ Cause drawSecret(const Mechanism& robot, const std::vector<Excitation>& programs
     trials.push_back(trialOf(blankRun(robot, program, robot.controlHz), robot));
     nominal.push_back(played(robot, trials.back(), {}));
   }
-  // A seed means the same secret whatever the library has beside what the contract lists.
+  // A seed means the same secret, also when the library has effects that the contract does not list.
   std::vector<const Effect*> known = effects();
   std::erase_if(known, [](const Effect* effect) { return effect->order >= beyondContract; });
   Random random(seed);

@@ -11,10 +11,13 @@ namespace {
 constexpr double reach = 0.25;  // [s]: over which the variance is smoothed, to each side
 
 constexpr double invisiblePlay = 5e-4;  // [rad]: a third of a twelve-bit encoder's count
-constexpr double widePlay = 0.1;        // [rad]: what swings free in it bounces, whoever holds the motor
+constexpr double widePlay = 0.1;        // [rad]: what swings free in it bounces, even if the motor holds
 
-constexpr double halfAsRough = 2;  // what is half as rough as the limit cycle, or rougher, may be one
-constexpr double tooFar = 4, farTooFar = 8;  // mean square of a residual over the variance within `reach`
+// A residual with 1 / roughnessFactor of the limit cycle's roughness, or more, may be one.
+constexpr double roughnessFactor = 2;
+// Mean square of a residual over the variance within `reach`: the scatter counts in full up to the first
+// ratio, and not at all from the second on.
+constexpr double fullScatterRatio = 4, noScatterRatio = 8;
 
 /// One of the replays whose variance says how uncertain the prediction of a limit cycle is.
 struct Member {
@@ -60,7 +63,7 @@ double likeLimitCycle(const std::vector<double>& measured, const std::vector<dou
                       double roughness) {
   Roughness residual;
   for (std::size_t k = 0; k < mean.size(); ++k) residual.add(measured[k] - mean[k]);
-  return roughness > 0 ? std::min(1.0, halfAsRough * residual.value() / roughness) : 1;
+  return roughness > 0 ? std::min(1.0, roughnessFactor * residual.value() / roughness) : 1;
 }
 
 /// Mean square of the second differences: what is quick in a series, whatever its level and its slow motion
@@ -79,9 +82,12 @@ double quickness(const std::vector<double>& values) {
 /// squares or more; those that deviated for another reason had a twentieth at most. calm: the prediction
 /// without backlash.
 double alsoCycles(const std::vector<double>& measured, const std::vector<double>& calm, double cycling) {
-  constexpr double none = 0.05, surely = 0.1;
+  constexpr double noCycleShare = 0.05, fullCycleShare = 0.1;
   const double quick = quickness(calm), more = cycling - quick;
-  return more > 0 ? std::clamp(((quickness(measured) - quick) / more - none) / (surely - none), 0.0, 1.0) : 1;
+  return more > 0 ? std::clamp(((quickness(measured) - quick) / more - noCycleShare) /
+                                   (fullCycleShare - noCycleShare),
+                               0.0, 1.0)
+                  : 1;
 }
 
 /// Takes back the doubt where the members agree far better with each other than with what was measured: that
@@ -95,8 +101,9 @@ void keepWhereBorneOut(std::vector<double>& scatter, const std::vector<double>& 
   }
   squares = smoothed(squares, cycles);
   for (std::size_t k = 0; k < mean.size(); ++k)
-    if (squares[k] > tooFar * scatter[k])
-      scatter[k] *= std::max(0.0, (farTooFar - squares[k] / scatter[k]) / (farTooFar - tooFar));
+    if (squares[k] > fullScatterRatio * scatter[k])
+      scatter[k] *=
+          std::max(0.0, (noScatterRatio - squares[k] / scatter[k]) / (noScatterRatio - fullScatterRatio));
 }
 
 /// Mean and smoothed variance of one signal over the members; the variance is that of a further one around

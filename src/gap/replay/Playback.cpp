@@ -27,7 +27,7 @@ double settlingTime(const Trial& trial, const ReplayOptions& options) {
 
 /// Whether some joints are played that all others act on: through a supply that sags under all motors.
 bool needsOthers(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
-  return !options.joints.empty() && !trial.freeBase && SupplyRail(plant.joints).sags();
+  return !options.joints.empty() && !trial.freeBase && SupplyRail(plant.joints).hasVoltageDrop();
 }
 
 std::vector<int> jointsToPlay(const Plant& plant, const Trial& trial, const ReplayOptions& options) {

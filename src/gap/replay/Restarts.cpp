@@ -12,7 +12,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double apart = 1, atMost = 1.5;      // [s]: in the middle of a step, or anywhere
-constexpr double alone = 0.9;                  // share of what all feet carry: it stands on this foot
+constexpr double alone = 0.9;                  // share of what all feet carry: the robot is on this foot
 constexpr int leastSteps = 4;                  // changes from one foot to another
 constexpr double before = 0.06, after = 0.03;  // [s] of a landing or lift-off that shakes the body
 constexpr double shifts = 0.03;                // of the load: more is one
@@ -44,7 +44,7 @@ int standsOn(const std::vector<double>& shares) {
   return most != shares.end() && *most >= alone ? static_cast<int>(most - shares.begin()) : -1;
 }
 
-/// Slope of a straight line through the samples around a cycle; NaN beside gaps.
+/// Slope of a straight line through the samples around a cycle; NaN next to gaps.
 double slopeAt(const Trial& trial, const std::vector<double>& values, std::size_t k) {
   if (k < beside || k + beside >= values.size()) return std::numeric_limits<double>::quiet_NaN();
   double n = 0, t = 0, x = 0, tt = 0, tx = 0;

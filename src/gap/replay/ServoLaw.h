@@ -16,7 +16,7 @@ struct ServoLine {
   double at(double x, double w) const { return torque - stiffness * x - damping * w; }
 };
 
-/// What a servo's law takes from outside beside its command, and what follows from it whatever the state is.
+/// The inputs of a servo's law except its command, and what follows from them in any state.
 struct ServoTerms {
   /// share: stiffness 0..1. volts: measured supply, 0: as in the table. limitShare: share of the torque limit
   /// that heat leaves. supplyShare: share of the supply that the load leaves, if the supply is not measured.
@@ -34,7 +34,7 @@ struct ServoTerms {
   double gain = 0;                    ///< duty of a DC motor per error [1/rad]
   double push = 0;                    ///< its torque at full duty [N m]
   double maxDuty = 0;
-  bool takesSent = false;  ///< speed and torque beside the command
+  bool takesSent = false;  ///< speed and torque as well as the command
   bool limits = false;
   double limit = 0, maxSpeed = 0;  ///< [N m, rad/s]; maxSpeed 0: none
 };

@@ -45,7 +45,7 @@ Stepper::Stepper(const Plant& plant, const Trial& trial, const std::vector<int>&
       gears_.push_back(gear);
     }
     drive.sensed = p.linkEncoder ? drive.link : drive.motor;
-    if (p.rubs()) frictions_.push_back({static_cast<int>(i), drive.motor, {}, 0});
+    if (p.hasFriction()) frictions_.push_back({static_cast<int>(i), drive.motor, {}, 0});
     drives_.push_back(drive);
   }
   weight_ = gears_.empty() && !trial_.freeBase ? 0.5 : 0.55;
@@ -86,7 +86,7 @@ void Stepper::takeForces() {
 ServoTerms::Given Stepper::givenTo(const Drive& drive) const {
   const double loss = drive.plant->deratingPerJoule;
   return {drive.path.stiffness(), drive.path.voltage(), loss > 0 ? std::max(0.0, 1 - loss * drive.heat) : 1,
-          supply_.sags() ? supply_.left(*drive.plant) : 1};
+          supply_.hasVoltageDrop() ? supply_.left(*drive.plant) : 1};
 }
 
 DryFriction Stepper::frictionBound(const Drive& drive) const {

@@ -66,7 +66,7 @@ std::vector<simulation::EffectSetting> furtherSettingsOf(const json& answer, con
   if (model.empty())
     throw ConfigurationError(path +
                              ": has no values of all joints (gap.further.model); answers with the verdict "
-                             "unknown about robots whose base is held have them");
+                             "unknown about robots whose base is fixed have them");
   return modelSettings(model, path + ": gap.further.model");
 }
 

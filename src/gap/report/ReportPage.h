@@ -12,7 +12,7 @@ namespace plumbline::gap {
 std::string reportPage(const std::string& builtPage, nlohmann::json answer,
                        const std::optional<Mechanism>& robot);
 
-/// Text of the built page, found beside the program. Throws std::runtime_error that says how to build it.
+/// Text of the built page, found next to the program. Throws std::runtime_error that says how to build it.
 std::string builtReportPage();
 
 }  // namespace plumbline::gap

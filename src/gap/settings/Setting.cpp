@@ -13,10 +13,11 @@ namespace {
 using Kind = Setting::Kind;
 constexpr double endless = 1e4;
 
-template <double simulation::LeagueNumbers::*number>
+template <double simulation::LeaguePhysicsParameters::*number>
 Setting numberSetting(std::string_view id, std::string_view unit, std::string_view missing, double absent,
                       double lower, double upper) {
-  Setting s{id, unit, missing, Kind::positive, simulation::LeagueNumbers{}.*number, absent, lower, upper};
+  Setting s{id,     unit,  missing, Kind::positive, simulation::LeaguePhysicsParameters{}.*number,
+            absent, lower, upper};
   s.get = [](const SimulatorSetup& setup) { return setup.world.numbers.*number; };
   s.put = [](SimulatorSetup& setup, double value) { setup.world.numbers.*number = value; };
   return s;
@@ -32,7 +33,7 @@ Setting flagSetting(std::string_view id, std::string_view missing) {
 }
 
 std::vector<Setting> makeSettings() {
-  using N = simulation::LeagueNumbers;
+  using N = simulation::LeaguePhysicsParameters;
   std::vector<Setting> list = {
       numberSetting<&N::drag>("drag", "N s/m", "a drag on every moving body", 0, 1e-4, 1),
       numberSetting<&N::contactSlip>("contact_slip", "m/(s N)", "a slip of loaded feet along the ground",

@@ -17,17 +17,17 @@ namespace {
 
 using Part = SettingsEvaluator::Part;
 
-constexpr int looks = 9;             // values over a setting's range that are looked at
-constexpr std::size_t refined = 4;   // settings whose value is fitted
-constexpr double leastZ = 3;         // of the gain over left-out windows
-constexpr double oneWay = 0.5;       // of the gains' absolute values over left-out recordings
-constexpr double leastGain = 0.02;   // mean gain per left-out window [nat]
-constexpr double leastShare = 0.02;  // of what the score has to lose
+constexpr int looks = 9;                  // values over a setting's range that are looked at
+constexpr std::size_t refined = 4;        // settings whose value is fitted
+constexpr double leastZ = 3;              // of the gain over left-out windows
+constexpr double minSameSignShare = 0.5;  // of the gains' absolute values over left-out recordings
+constexpr double leastGain = 0.02;        // mean gain per left-out window [nat]
+constexpr double leastShare = 0.02;       // of what the score has to lose
 constexpr double rivalShare = 0.01;
 constexpr int resamples = 2000;
 
 /// A setting with its fitted value on top of a base.
-struct Candidate {
+struct SettingCandidate {
   SettingValue value;
   std::vector<double> gains;     ///< per left-out recording
   double gain = 0, squares = 0;  ///< sums of gains and of their squares over left-out windows
@@ -38,9 +38,10 @@ std::vector<SettingValue> without(std::vector<SettingValue> values, std::size_t 
   return values;
 }
 
-class Procedure {
+class SettingsProcedure {
 public:
-  Procedure(const TraceEvidence& evidence, const SimulatorSetup& nominal, const SettingsOptions& options)
+  SettingsProcedure(const TraceEvidence& evidence, const SimulatorSetup& nominal,
+                    const SettingsOptions& options)
       : evidence_(evidence),
         nominal_(nominal),
         options_(options),
@@ -114,7 +115,7 @@ private:
   }
 
   /// Every setting that is not in the base, best on left-out recordings first.
-  std::vector<Candidate> search(const std::vector<SettingValue>& base, const std::string& stage) {
+  std::vector<SettingCandidate> search(const std::vector<SettingValue>& base, const std::string& stage) {
     const SimulatorSetup start = with(nominal_, base);
     const double none = evaluator_.sum(evaluator_.of(start, Part::look));
     struct Look {
@@ -140,10 +141,10 @@ private:
     std::ranges::stable_sort(list, std::ranges::less(), &Look::score);
     if (list.size() > refined) list.resize(refined);
     const SetupFit left = evaluator_.of(start, Part::leftOut);
-    std::vector<Candidate> candidates;
+    std::vector<SettingCandidate> candidates;
     for (const Look& look : list) {
       tell(stage, 0.7 + 0.3 * static_cast<double>(candidates.size()) / static_cast<double>(list.size()));
-      Candidate c;
+      SettingCandidate c;
       c.value = {look.setting, look.values[look.best]};
       if (look.setting->kind == Setting::Kind::positive)
         c.value = fitted(base, c.value, look.values[1] / look.values[0]);
@@ -156,17 +157,17 @@ private:
       c.gain = std::accumulate(c.gains.begin(), c.gains.end(), 0.0);
       candidates.push_back(std::move(c));
     }
-    std::ranges::stable_sort(candidates, std::ranges::greater(), &Candidate::gain);
+    std::ranges::stable_sort(candidates, std::ranges::greater(), &SettingCandidate::gain);
     return candidates;
   }
 
   /// Large against its scatter over windows, mostly one way over recordings, and worth a word.
-  bool earns(const Candidate& c, double score) const {
+  bool earns(const SettingCandidate& c, double score) const {
     double sizes = 0;
     for (const double gain : c.gains) sizes += std::abs(gain);
     const auto windows =
         static_cast<double>(std::ranges::count(evidence_.windows(), true, &TraceWindow::leftOut));
-    return c.gain >= leastZ * std::sqrt(c.squares) && c.gain >= oneWay * sizes &&
+    return c.gain >= leastZ * std::sqrt(c.squares) && c.gain >= minSameSignShare * sizes &&
            c.gain >= leastGain * windows && c.gain >= leastShare * score;
   }
 
@@ -184,7 +185,8 @@ private:
 
   void grow() {
     while (found_.size() < options_.maxSettings) {
-      std::vector<Candidate> list = search(found_, found_.empty() ? "first setting" : "further setting");
+      std::vector<SettingCandidate> list =
+          search(found_, found_.empty() ? "first setting" : "further setting");
       if (list.empty() || !earns(list.front(), leftOutScore(found_))) break;
       found_.push_back(list.front().value);
       if (found_.size() > 1) refine(found_);
@@ -196,7 +198,7 @@ private:
   void reconsider() {
     for (std::size_t i = 0; i < found_.size();) {
       const std::vector<SettingValue> others = without(found_, i);
-      std::vector<Candidate> list = search(others, "each setting again");
+      std::vector<SettingCandidate> list = search(others, "each setting again");
       if (list.empty() || !earns(list.front(), leftOutScore(others))) {
         found_ = others;
         choices_.erase(choices_.begin() + static_cast<std::ptrdiff_t>(i));
@@ -220,7 +222,7 @@ private:
   }
 
   /// Share of resampled sets of left-out recordings in which each candidate gains most.
-  std::vector<double> shares(const std::vector<Candidate>& list) const {
+  std::vector<double> shares(const std::vector<SettingCandidate>& list) const {
     std::vector<double> wins(list.size());
     if (list.empty()) return wins;
     Random random(options_.seed);
@@ -313,7 +315,8 @@ private:
       if (it == result_.findings.end() || it->rivals.empty()) continue;
       const Setting* rival = it->rivals.front().value.setting;
       const auto gainsOf = [&](const Setting* setting) -> const std::vector<double>& {
-        return std::ranges::find_if(list, [&](const Candidate& c) { return c.value.setting == setting; })
+        return std::ranges::find_if(list,
+                                    [&](const SettingCandidate& c) { return c.value.setting == setting; })
             ->gains;
       };
       const auto &a = gainsOf(found_[i].setting), &b = gainsOf(rival);
@@ -353,14 +356,14 @@ private:
   SettingsEvaluator evaluator_;
   SettingsDiagnosis result_;
   std::vector<SettingValue> found_;
-  std::vector<std::vector<Candidate>> choices_;
+  std::vector<std::vector<SettingCandidate>> choices_;
 };
 
 }  // namespace
 
 SettingsDiagnosis diagnoseSettings(const TraceEvidence& evidence, const SimulatorSetup& nominal,
                                    const SettingsOptions& options) {
-  return Procedure(evidence, nominal, options).run();
+  return SettingsProcedure(evidence, nominal, options).run();
 }
 
 }  // namespace plumbline::gap

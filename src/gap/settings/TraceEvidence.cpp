@@ -60,7 +60,7 @@ WindowError errorBetween(const LeagueTrace& trace, std::size_t first, const std:
   for (std::size_t s = 0; s < numTraceSignals; ++s) {
     const auto signal = static_cast<TraceSignal>(s);
     double sum = 0, n = 0;
-    // The accelerometer tells of the step before, which a replay knows from its second row on.
+    // The accelerometer shows the step before, which a replay knows from its second row on.
     for (std::size_t i = signal == TraceSignal::accelerometer ? 1 : 0; i < played.size(); ++i) {
       const auto [square, count] = squares(signal, trace, trace.rows[first + 1 + i], played[i]);
       sum += square;

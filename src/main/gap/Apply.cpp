@@ -49,7 +49,7 @@ void apply(const ApplyOptions& options) {
       std::snprintf(sure, sizeof sure, "%.0f", 100 * effect["probability"].get<double>());
       comment += effect["effect"].get<std::string>() + ": probability " + sure + " %\n";
     }
-  // A comment ends at a line's end; what others wrote must not.
+  // A comment ends at the end of its line, so texts of others must not have a line break.
   for (char& c : comment)
     if (static_cast<unsigned char>(c) < ' ' && c != '\n') c = ' ';
   writeFile(options.output, simulation::effectsText(effects, comment));

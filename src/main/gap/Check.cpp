@@ -1,4 +1,4 @@
-// bin/gap check: what an answer closes of the gap in recordings that it never saw.
+// bin/gap check: the share of the gap that an answer closes in recordings that it never saw.
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -29,7 +29,7 @@ struct CheckOptions {
   ChangesOption changes;
 };
 
-/// The recordings that can be replayed; the others are said.
+/// The recordings that can be replayed; reports the others.
 std::vector<Trial> trialsIn(const CheckOptions& options, Mechanism& robot) {
   std::vector<std::string> folders;
   for (const std::string& path : options.runs)
@@ -58,7 +58,7 @@ std::vector<Trial> trialsIn(const CheckOptions& options, Mechanism& robot) {
   return trials;
 }
 
-/// What an answer claims to close, and its interval; null where it claims nothing.
+/// The share that an answer claims to close, with its interval; null if it claims nothing.
 struct Claimed {
   nlohmann::json closed, interval;
 };

@@ -35,7 +35,7 @@ struct DiagnoseOptions {
   bool quiet = false;
 };
 
-/// Puts segments in the place of long recordings, in the notes for the answer too; how many segments.
+/// Replaces long recordings by segments, also in the notes for the answer; returns the number of segments.
 std::size_t cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes, double seconds) {
   std::vector<std::vector<Trial>> segments = segmentsOf(std::move(trials), seconds);
   std::vector<RunNotes> cut;
@@ -55,7 +55,7 @@ std::size_t cutLongRuns(std::vector<Trial>& trials, std::vector<RunNotes>& notes
   return count;
 }
 
-/// Makes the folder that a file is to be in.
+/// Makes the folder of a file.
 void makeFolderOf(const std::string& file) {
   const std::filesystem::path folder = std::filesystem::path(file).parent_path();
   std::error_code error;
@@ -146,7 +146,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     for (const Rival& rival : finding.rivals)
       std::printf("    or %-45s %5.1f %%\n", describe(rival.cause).c_str(), 100 * rival.probability);
   }
-  std::printf("Gap on held-out data, in units of noise: %.2f before, %.2f after, floor %.2f.\n",
+  std::printf("Gap on data left out of the fit, in units of noise: %.2f before, %.2f after, floor %.2f.\n",
               diagnosis.gap.before, diagnosis.gap.after, diagnosis.gap.floor);
   std::printf("Next: %s\n", input.nextMotion.c_str());
 }

@@ -6,7 +6,7 @@
 #include <stdexcept>
 
 #include "framework/WriteFile.h"
-#include "gap/inference/Further.h"
+#include "gap/inference/AllJointFit.h"
 #include "gap/inference/Inference.h"
 #include "gap/inference/JointValues.h"
 #include "gap/inference/LeftJson.h"
@@ -17,7 +17,7 @@ namespace plumbline::gap {
 
 namespace {
 
-nlohmann::json furtherJson(const Further& further) {
+nlohmann::json furtherJson(const AllJointFit& further) {
   if (further.parameters == 0) return nullptr;
   nlohmann::json runs = nlohmann::json::array(), model = nlohmann::json::array();
   for (const RecordingLeft& left : further.leftOut) runs.push_back(leftJson(left));
@@ -32,7 +32,7 @@ nlohmann::json furtherJson(const Further& further) {
           {"runs", runs}};
 }
 
-nlohmann::json answerOf(const Inference& inference, const Further& further, const AnswerInput& input,
+nlohmann::json answerOf(const Inference& inference, const AllJointFit& further, const AnswerInput& input,
                         const Evidence& evidence, const Mechanism& robot) {
   Evaluator evaluator(robot, evidence);
   nlohmann::json answer = nlohmann::json::parse(answerJson(input, inference.diagnosis, evaluator));
@@ -55,7 +55,7 @@ nlohmann::json answerOf(const Inference& inference, const Further& further, cons
   return answer;
 }
 
-void print(const Inference& inference, const Further& further, const AnswerInput& input) {
+void print(const Inference& inference, const AllJointFit& further, const AnswerInput& input) {
   std::printf("%s\n", inference.sentence().c_str());
   if (const std::string more = further.sentence(); !more.empty()) std::printf("%s\n", more.c_str());
   for (const Finding& finding : inference.diagnosis.findings) {
@@ -82,17 +82,17 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
   options.jobs = request.jobs;
   if (request.maxCauses > 0) options.mostCauses = static_cast<std::size_t>(request.maxCauses);
   Inference inference;
-  Further further;
+  AllJointFit further;
   {
     ProgressLine line(request.quiet);
     options.progress = [&line](const std::string& stage, double share) { line.tell(stage, share); };
     line.tell("noise of the readings", 0);
     inference = infer(request.robot, trials, options);
-    // Where the causes named explain all there is, nothing further is to be had.
+    // If the named causes explain everything, nothing is left for the fit of all joints.
     if (inference.diagnosis.verdict == Verdict::unknown) {
-      further = furtherOf(request.robot, trials, inference.diagnosis.explanation(), inference.foundWithout,
-                          inference.leftOut, request.jobs,
-                          [&line](double share) { line.tell("all values of all joints", share); });
+      further = fitOfAllJoints(request.robot, trials, inference.diagnosis.explanation(),
+                               inference.foundWithout, inference.leftOut, request.jobs,
+                               [&line](double share) { line.tell("all values of all joints", share); });
     }
   }
   const Evidence evidence(std::move(trials), inference.noises);

@@ -8,7 +8,7 @@
 
 namespace plumbline::gap {
 
-/// How bin/gap diagnose --method sets was asked.
+/// Options of bin/gap diagnose --method sets.
 struct SetsRequest {
   const Mechanism& robot;
   std::string json, timing;

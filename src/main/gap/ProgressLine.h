@@ -18,7 +18,7 @@ public:
   ProgressLine& operator=(const ProgressLine&) = delete;
 
   void tell(const std::string& what, double share);
-  /// A message of its own, which the line does not overwrite; also where it is quiet.
+  /// Prints a message that the line does not overwrite, even if quiet.
   void say(const std::string& text);
 
 private:

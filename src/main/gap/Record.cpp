@@ -38,7 +38,7 @@ struct RecordOptions {
   bool hasSecret = false, noisy = true, truth = false, force = false;
 };
 
-/// What is played, and as whose repeat.
+/// A program to play, and which recording it repeats.
 struct Item {
   Excitation program;
   std::string name, repeatOf;
@@ -69,13 +69,13 @@ std::vector<Item> itemsOf(const RecordOptions& options, const Mechanism& robot) 
   return items;
 }
 
-/// Robots of a SimSpark server are asked for as "simspark" with a type.
+/// "simspark" with a type means a robot of a SimSpark server.
 bool onServer(const RecordOptions& options) { return options.robot == "simspark"; }
 
 Run recordOne(const RecordOptions& options, const Mechanism& robot, const Item& item,
               const SimulatedRecordingOptions& recording) {
   const bool own = options.engine == ownEngine;
-  // The project's own dynamics know no closed loop.
+  // The project's own dynamics have no closed loop.
   if (item.program.walk) return recordWalk(own ? "bullet" : options.engine, robot, item.program, recording);
   if (!onServer(options))
     return own ? recordSimulated(robot, item.program, recording)
@@ -146,7 +146,7 @@ void record(const RecordOptions& options) {
   std::printf("Written to %s%s\n", options.output.c_str(),
               sealed.empty() ? ""
                              : ("; the effect of this robot is sealed in it: bin/gap reveal " +
-                                options.output + " tells")
+                                options.output + " opens it")
                                    .c_str());
 }
 

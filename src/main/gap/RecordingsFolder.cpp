@@ -21,7 +21,7 @@ bool isPartOfRun(const fs::path& file) {
   return fs::is_regular_file(file) && std::ranges::find(names, file.filename()) != names.end();
 }
 
-/// Whatever in a folder is neither of a run nor a folder of one; empty: nothing.
+/// A name in a folder that belongs to no run; empty: none.
 std::string whatIsNoRun(const fs::path& folder, int depth = 1) {
   for (const fs::directory_entry& entry : fs::directory_iterator(folder)) {
     if (isPartOfRun(entry.path())) continue;
@@ -31,7 +31,7 @@ std::string whatIsNoRun(const fs::path& folder, int depth = 1) {
   return "";
 }
 
-/// The folder's name without a slash at its end; throws where it may not be written.
+/// The folder's name without a slash at its end; throws if it may not be written.
 std::string placeOf(std::string place, bool replace) {
   while (place.size() > 1 && place.back() == '/') place.pop_back();
   std::error_code error;
@@ -58,7 +58,7 @@ void RecordingsFolder::putInPlace() {
   std::error_code error, ignored;
   fs::remove_all(old, ignored);
   const bool replaced = fs::exists(place_, ignored);
-  // Both change places at once where the file system can: whoever is killed there leaves one or the other.
+  // Exchanges both at once, if the file system can: a killed program leaves one or the other complete.
   if (replaced && renameat2(AT_FDCWD, beside().c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0) {
     fs::remove_all(part_.path(), ignored);
     return;

@@ -10,12 +10,12 @@ namespace plumbline::gap {
 class RecordingsFolder {
 public:
   /// replace: an existing folder is replaced at the end, if it holds only recordings. Throws
-  /// std::invalid_argument where it is there, else, and std::runtime_error where nothing can be written.
+  /// std::invalid_argument for another existing folder, std::runtime_error if nothing can be written.
   RecordingsFolder(const std::string& path, bool replace);
 
-  /// Where to write meanwhile; not there yet.
+  /// The folder to write to meanwhile; it does not exist yet.
   const std::string& beside() const { return part_.path().native(); }
-  /// Throws std::runtime_error "PATH: cannot be written: REASON"; what was there stays then.
+  /// Throws std::runtime_error "PATH: cannot be written: REASON"; the old folder stays then.
   void putInPlace();
 
 private:

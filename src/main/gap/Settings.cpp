@@ -1,4 +1,4 @@
-// bin/gap settings: which settings of the embedded simulator are not as on the league's server.
+// bin/gap settings: which settings of the embedded simulator differ from the league's server.
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -18,7 +18,7 @@ namespace plumbline::gap {
 namespace {
 
 struct Options {
-  /// The recordings that come with the project lie beside its configuration.
+  /// The recordings that come with the project are next to its configuration.
   std::string traces = (std::filesystem::path(configFolder()) / "../tests/data/traces").lexically_normal();
   std::string engine = "ode", json, timing;
   std::vector<std::string> without;
@@ -63,7 +63,8 @@ void diagnose(const Options& options) {
                 cell.after, cell.floor);
   }
   std::printf(
-      "Gap on %zu held-out windows, in units of the nominal's own: %.2f before, %.2f after, floor %.2f.\n",
+      "Gap on %zu windows left out of the fit, in units of the nominal's own: %.2f before, %.2f after, floor "
+      "%.2f.\n",
       diagnosis.leftOutWindows, diagnosis.gap.before, diagnosis.gap.after, diagnosis.gap.floor);
   std::printf("Next: %s\n", diagnosis.nextMotion.c_str());
 }

@@ -10,7 +10,7 @@ namespace plumbline::gap {
 /// answer, byte for byte.
 void addTiming(CommandLine& command, std::string& file);
 
-/// From when it is made.
+/// Measures from its construction on.
 class Timing {
 public:
   /// Writes {"seconds": of real time, "cpu_seconds": of all threads}; empty: nothing. Throws

@@ -1,4 +1,4 @@
-// bin/gap: the sim-to-real diagnosis. Each subcommand stands in a file of its own.
+// bin/gap: the sim-to-real diagnosis. Each subcommand has a file of its own.
 #include <cstdio>
 #include <memory>
 

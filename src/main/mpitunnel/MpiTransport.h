@@ -1,5 +1,5 @@
 #pragma once
-// The bindings for C alone: those for C++ are no part of MPI any more.
+// Only the bindings for C: those for C++ are no longer a part of MPI.
 #define OMPI_SKIP_MPICXX 1
 #define MPICH_SKIP_MPICXX 1
 #include <mpi.h>
@@ -14,12 +14,12 @@
 
 namespace plumbline {
 
-/// MPI as what carries messages between ranks: the process is one of MPI's from here on. One at a time, used
+/// Messages between ranks by MPI: the process belongs to MPI from here on. One at a time, used
 /// by the thread that made it. Errors are std::runtime_error, one line.
 class MpiTransport final : public tunnel::RankTransport {
 public:
   MpiTransport(int& argc, char**& argv);
-  /// Without leave() nothing is waited for: the process then ends without MPI's consent.
+  /// Without leave() it waits for nothing: the process then ends without MPI's consent.
   ~MpiTransport() override = default;
 
   int rank() const override { return rank_; }
@@ -28,8 +28,8 @@ public:
   bool receive(int& from, std::string& message) override;
   bool sentAll() const override { return sending_.empty(); }
 
-  /// Says farewell to the others, who do so too; waits for them at most so long [s], then the process ends
-  /// with this status.
+  /// Takes leave of the other ranks, which do the same. Waits for them for at most this time [s], then the
+  /// process ends with this status.
   void leave(int patience, int status);
   /// Ends all ranks and with them this process.
   [[noreturn]] void abort(int status);

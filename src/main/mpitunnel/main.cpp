@@ -18,7 +18,7 @@ namespace {
 constexpr int failed = tunnel::Watchdog::failed;
 constexpr int farewell = 5;  // [s]
 
-/// What stands behind the first and behind the second "--".
+/// Takes what follows the first and the second "--".
 void takeCommands(int argc, char** argv, int& ownCount, tunnel::TunnelOptions& options) {
   const std::string dashes = "--";
   char** const end = argv + argc;
@@ -45,7 +45,8 @@ int runProgram(int argc, char** argv) {
   CommandLine app(
       "Carries TCP connections over MPI: a server on one node of a cluster, its clients on others.",
       "mpitunnel");
-  app.option("--port", options.port, "The server's port on loopback; 0: a free one, which {port} tells it")
+  app.option("--port", options.port,
+             "The server's port on loopback; 0: a free one, which {port} passes to it")
       .portOrFree()
       .showDefault();
   app.option("--patience", options.patience, "Waits so long for the server to open its port [s]")

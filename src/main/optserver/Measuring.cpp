@@ -13,8 +13,8 @@
 namespace plumbline {
 namespace {
 
-/// Half of what lies between the 16th and the 84th percentile: the standard deviation of what is normal,
-/// hardly moved by a few tries that failed.
+/// Half the distance from the 16th to the 84th percentile: the standard deviation of normal values, which a
+/// few failed tries hardly change.
 double deviation(std::vector<double> values) {
   const auto at = [&](double share) {
     const auto place =

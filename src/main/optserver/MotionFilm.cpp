@@ -29,7 +29,7 @@ public:
     if (cycle_++ % every != 0) return;
     kinematics_.update(trial_.robot.sense().angle);
     const Pose3 torso = trial_.robot.torso().pose;
-    // The physics' torso is where its body is: the link's frame stands on the torso's middle.
+    // The physics gives the torso's body; the link's frame is at the torso's middle.
     nlohmann::json frame = nlohmann::json::array();
     for (const int link : links_) {
       const Pose3 pose = torso * kinematics_.link(link) *
@@ -51,8 +51,8 @@ private:
   nlohmann::json frames_ = nlohmann::json::array();
 };
 
-/// Lets the robot of a stand-up fall, and tells the direction; in play it is pushed while it walks. Nothing
-/// for other tasks.
+/// Lets the robot of a stand-up fall, and returns the direction; in play it is pushed while it walks. No
+/// value for other tasks.
 std::optional<int> fallOf(const training::Study& study, motion::MotionTrial& trial) {
   if (study.task != "standUp") return std::nullopt;
   const int direction = training::fallDirection(study.options);
@@ -91,7 +91,7 @@ std::string motionFilm(const training::Study& study, const Eigen::VectorXd& para
   const std::optional<int> direction = fallOf(study, trial);
   camera.look();
   double played = play(motion, trial, camera);
-  // A motion for the side is half of the way.
+  // A motion for the side does half of the work.
   if (direction == 0 && !trial.upright()) played += play(trial.nextStandUp(), trial, camera);
   trial.beginWalk();
   for (double t = 0; t < walkSeconds; t += motion::MotionTrial::dt) {

@@ -22,8 +22,8 @@ public:
   ~SearchPage();
 
   std::string address() const;
-  /// What is known now; as often as one likes, it says something once a second. `server` is null for a run
-  /// that is only looked at.
+  /// Shows the present state; may be called often, it sends once a second. `server` is null for a run that is
+  /// only viewed.
   void show(const Search& search, const farm::RunHistory& history, const farm::FarmServer* server, bool last);
 
 private:

@@ -37,7 +37,7 @@ struct Options {
   pages::PageServer::Config web{.port = SearchPage::standardPort};
 };
 
-/// What is searched, as one types it.
+/// The search as given on the command line.
 std::string commandOf(const Options& options) {
   std::string text = "bin/optserver " + options.study;
   for (const auto& [key, value] : options.changes.options) text += fmt::format(" --option {}={}", key, value);
@@ -61,7 +61,7 @@ void takeOption(const std::string& text, training::StudyChanges& changes) {
   changes.options[text.substr(0, equals)] = text.substr(equals + 1);
 }
 
-/// Workers on this machine; one that ends before the search does is started again, at most once a second.
+/// Workers on this machine; a worker that ends before the search is started again, at most once a second.
 class LocalWorkers {
 public:
   LocalWorkers(int count, int port, const std::string& token, const std::string& log) : log_(log) {
@@ -69,7 +69,7 @@ public:
     if (!token.empty()) command_.insert(command_.end(), {"--token", token});
     for (int i = 0; i < count; ++i) all_.emplace_back(start());
   }
-  /// Throws std::runtime_error where none of them can work.
+  /// Throws std::runtime_error if none of them can work.
   void keep(double now) {
     if (now - checked_ < 1) return;
     checked_ = now;
@@ -142,8 +142,8 @@ void writeResult(const Options& options, const training::Study& study, const Sea
   if (!file.empty()) writeFile(options.folder + "/" + study.task + ".yaml", file);
 }
 
-/// Before and after, over the same seeds; the task's file then has the figures. Before alone where nothing
-/// was found yet.
+/// Measures before and after, over the same seeds; the task's file then has the figures. Only before, if
+/// nothing was found yet.
 int measureBoth(const Options& options) {
   const training::Study study = training::readStudy(options.study, options.changes);
   const std::string path = options.folder + "/found.yaml";
@@ -179,7 +179,7 @@ int measureBoth(const Options& options) {
   return 0;
 }
 
-/// Until Ctrl-C, which is how one ends what is only looked at.
+/// Waits for Ctrl-C, which ends a run that is only viewed.
 int waitForEnd(const StopSignal& stop) {
   std::fflush(stdout);
   pollfd ended{stop.fileDescriptor(), POLLIN, 0};

@@ -21,7 +21,7 @@ namespace plumbline::simulation {
 
 namespace {
 
-/// Accepts a number for which `good` holds; says what is wanted otherwise.
+/// Accepts a number for which `good` holds; else says what is wanted.
 OptionCheck number(const std::string& wanted, bool (*good)(double)) {
   return [wanted, good](const std::string& text) {
     const auto value = simspark::parseNumber(text);
@@ -36,7 +36,7 @@ const OptionCheck aPort =
 const OptionCheck aDuration = number("a time above 0 s", [](double v) { return v > 0; });
 const OptionCheck aPatience = number("a time of 0 s or more", [](double v) { return v >= 0; });
 
-/// What the options say before they are put together.
+/// The options as given, before they are combined.
 struct Given {
   std::string bind = "127.0.0.1", token, rulesFile, effectsFile, fieldFile;
   std::uint64_t seed = 0;
@@ -85,14 +85,14 @@ void complete(Options& options, const Given& given, const CommandLine& app) {
   server.simulation.seed = given.seed != 0 ? given.seed : std::random_device()();
 }
 
-/// The league's accidents; each name is that of what is switched off.
+/// Accidents of the league's server; each name says what the option switches off.
 void addSwitches(CommandLine& app, WorldConfig& world, bool& frozenLimbs) {
   const auto add = [&app](const std::string& name, bool& on, const std::string& meaning) {
     app.flag("--" + name + ",!--no-" + name, on, meaning + " [on]");
   };
   add("bouncing-stops", world.bouncingJointStops, "A joint that runs into its stop comes back as fast");
   add("sleeping-robots", world.sleepingRobots, "A body that is slow for ten cycles sleeps until commanded");
-  add("frozen-limbs", frozenLimbs, "A limb that collides with its own robot stands still for a second");
+  add("frozen-limbs", frozenLimbs, "A limb that collides with its own robot does not move for a second");
   add("action-delay", world.actionDelay, "An answer shows a message later than it could");
   add("endless-friction", world.endlessFriction, "Friction without Coulomb's limit; off: coefficient 1");
   add("lasting-commands", world.lastingCommands, "A joint's speed is kept until changed; off: for a cycle");
@@ -125,7 +125,7 @@ Options parseOptions(int argc, char** argv) {
   app.flag("--realtime,!--no-realtime", given.realTime,
            "50 cycles a second, or as fast as it goes [the first without --sync]");
   app.option("--wait-agents", given.waitForAgents,
-             "The clock stands until this many agents are connected [0 in real time, else 1]")
+             "The clock is stopped until this many agents are connected [0 in real time, else 1]")
       .check(number("a number of agents, 0 to 22", [](double v) { return isWhole(v) && v >= 0 && v <= 22; }));
   app.option("--sync-timeout", server.agents.syncTimeout,
              "Drop an agent that is silent for this many seconds; 0: never [60]")

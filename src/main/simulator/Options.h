@@ -6,7 +6,7 @@
 
 namespace plumbline::simulation {
 
-/// What the command line of bin/simulator says.
+/// The options of bin/simulator.
 struct Options {
   ServerConfig server;
   std::string portsFile, statisticsFile;
@@ -14,7 +14,7 @@ struct Options {
   std::optional<int> webPort;     ///< of the page that shows the game; none: no page
   bool anyWebPort = false;        ///< a free one if that is in use
   std::string recordFile;         ///< where the page's match is recorded; empty: nowhere
-  std::optional<int> replayType;  ///< robot of the recording, if its name does not tell
+  std::optional<int> replayType;  ///< robot of the recording, if its name does not say it
   bool verbose = false, dieWithParent = false;
   std::optional<int> exitStatus;  ///< the command line is done with: help was printed, or what is wrong
 };

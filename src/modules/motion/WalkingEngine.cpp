@@ -59,8 +59,8 @@ void WalkingEngine::fitModel() {
   const auto fate = [&result](bool taken) {
     return result->rolledBack ? ", rolled back" : taken ? ", taken" : ", not taken";
   };
-  log << "walk model: error on held-out steps, predicting " << result->predictionLeftOutBefore << " -> "
-      << result->predictionLeftOutAfter << fate(result->predicts);
+  log << "walk model: error on steps left out of the fit, predicting " << result->predictionLeftOutBefore
+      << " -> " << result->predictionLeftOutAfter << fate(result->predicts);
   if (fit.plan)
     log << "; planning " << result->leftOutBefore << " -> " << result->leftOutAfter << fate(result->accepted);
 }

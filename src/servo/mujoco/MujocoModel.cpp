@@ -62,7 +62,7 @@ private:
     if (l > 0) {
       const bool geared = options_.geared[j];
       joint(robot_.joints[j].name, robot_.joints[j], geared ? 0 : options_.armature[j],
-            geared ? 0 : options_.damping[j], options_.rubs[j] && !geared);
+            geared ? 0 : options_.damping[j], options_.hasFriction[j] && !geared);
     }
     if (link.mass > 0) {
       const Mat3& i = link.inertia;
@@ -79,12 +79,13 @@ private:
     out_ += "</body>\n";
   }
 
-  void joint(const std::string& name, const Mechanism::Joint& j, double armature, double damping, bool rubs) {
+  void joint(const std::string& name, const Mechanism::Joint& j, double armature, double damping,
+             bool hasFriction) {
     out_ += "<joint name=\"" + name + "\" type=\"" +
             (j.type == Mechanism::Joint::Type::prismatic ? "slide" : "hinge") + "\" axis=\"" + text(j.axis) +
             "\" armature=\"" + text(armature) + "\" damping=\"" + text(damping) + "\"";
     // Set at every step; above 0 here so that the engine keeps a row for it.
-    if (rubs)
+    if (hasFriction)
       out_ += " frictionloss=\"1e-9\" solreffriction=\"" + text(2 * options_.step) +
               " 1\" solimpfriction=\"0.9999 0.9999 0.001\"";
     out_ += "/>\n";
@@ -97,7 +98,7 @@ private:
     out_ += "<body name=\"" + j.name + ".rotor\" pos=\"" + text(Vec3(T.translation())) + "\" quat=\"" +
             text(Mat3(T.linear())) +
             "\"><inertial pos=\"0 0 0\" mass=\"1e-6\" diaginertia=\"1e-10 1e-10 1e-10\"/>\n";
-    joint(j.name + ".rotor", j, options_.armature[k], options_.damping[k], options_.rubs[k]);
+    joint(j.name + ".rotor", j, options_.armature[k], options_.damping[k], options_.hasFriction[k]);
     out_ += "</body>\n";
   }
 

@@ -8,11 +8,11 @@ namespace plumbline::simulation::mujoco {
 
 struct ModelOptions {
   bool freeBase = false;
-  double step = 2e-4;            ///< [s]
-  std::vector<bool> geared;      ///< per joint: a rotor of its own, joint `<name>.rotor`
-  std::vector<double> armature;  ///< per joint [kg m^2]
-  std::vector<double> damping;   ///< per joint, at the rotor [N m s/rad]
-  std::vector<bool> rubs;        ///< per joint: dry friction at the rotor
+  double step = 2e-4;             ///< [s]
+  std::vector<bool> geared;       ///< per joint: a rotor of its own, joint `<name>.rotor`
+  std::vector<double> armature;   ///< per joint [kg m^2]
+  std::vector<double> damping;    ///< per joint, at the rotor [N m s/rad]
+  std::vector<bool> hasFriction;  ///< per joint: dry friction at the rotor
   double groundFriction = 0.8;
   Vec3 slope = Vec3::Zero();   ///< rotation vector of the ground [rad]
   bool engineContacts = true;  ///< false: the ground's forces come from elsewhere

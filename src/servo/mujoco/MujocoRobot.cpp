@@ -44,7 +44,7 @@ MujocoRobot::MujocoRobot(const Mechanism& mechanism, const RobotSimulationOption
     model.geared.push_back(plant.geared());
     model.armature.push_back(std::max(leastRotor, plant.servo.armature));
     model.damping.push_back(0);
-    model.rubs.push_back(plant.rubs());
+    model.hasFriction.push_back(plant.hasFriction());
   }
   stepsPerCycle_ =
       stepsIn(robot_.controlHz, std::min(options_.stepSeconds, anyGear ? longestGearedStep : longestStep));
@@ -197,7 +197,7 @@ void MujocoRobot::drive(std::size_t joint) {
     d->qfrc_applied[a.rotorVelocity] -= torque;
     d->qfrc_applied[a.velocity] += torque;
   }
-  if (!servo.drive().rubs()) return;
+  if (!servo.drive().hasFriction()) return;
   // The engine knows one limit for both ways: what differs is a torque that pushes towards the easier one.
   const DryFriction dry = servo.dryLimit();
   m->dof_frictionloss[a.rotorVelocity] = std::max(noFriction, (dry.forward + dry.backward) / 2);
@@ -216,7 +216,7 @@ void MujocoRobot::pressGround() {
   }
 }
 
-/// What dry friction does at a degree of freedom [N m].
+/// Torque of dry friction at a degree of freedom [N m].
 double MujocoRobot::dryFriction(int velocity) const {
   const mjData* d = world_->data();
   for (int row = d->ne; row < d->ne + d->nf; ++row)
@@ -244,7 +244,7 @@ void MujocoRobot::substep() {
   for (std::size_t j = 0; j < drives_.size(); ++j) {
     const double speed = motorSide(j).speed;
     double friction = 0;
-    if (drives_[j].drive().rubs()) {
+    if (drives_[j].drive().hasFriction()) {
       const DryFriction dry = drives_[j].dryLimit();
       friction = dryFriction(world_->joint(j).rotorVelocity) + (dry.backward - dry.forward) / 2;
     }
@@ -252,7 +252,7 @@ void MujocoRobot::substep() {
     torqueSum_[j] += drives_[j].torque(speed);
     torques += std::abs(drives_[j].torque(speed));
   }
-  if (!supply_.sags()) return;
+  if (!supply_.hasVoltageDrop()) return;
   supply_.take(torques, h_);
   for (ServoDrive& servo : drives_) servo.setSupply(supply_.left(servo.drive()));
 }
@@ -262,7 +262,7 @@ void MujocoRobot::step() {
   std::fill(torqueSum_.begin(), torqueSum_.end(), 0.0);
   for (int i = 0; i < stepsPerCycle_; ++i) substep();
   ++cycles_;
-  // Poses and velocities of the links are of the step's begin until they are asked for.
+  // Poses and velocities of the links are those at the start of the step until they are read.
   mj_kinematics(world_->model(), world_->data());
   mj_comPos(world_->model(), world_->data());
   mj_comVel(world_->model(), world_->data());

@@ -12,9 +12,9 @@ namespace plumbline::simulation::mujoco {
 
 /// The engine "mujoco" for robots with position servos: MuJoCo's multi-body dynamics and contacts under the
 /// servo law of the Mechanism (ServoDrive), whose damping is solved with the step. Limits and dry friction
-/// are those at the step's begin. Soles alone touch the ground; one that gives way more than the default is
-/// SoftGround. A joint that another's motor drives has a servo of its own, told the same. Joints have no
-/// stops.
+/// are those at the start of the step. Soles alone touch the ground; one that gives way more than the default
+/// is SoftGround. A joint that another's motor drives has a servo of its own with the same command. Joints
+/// have no stops.
 class MujocoRobot : public RobotSimulation {
 public:
   /// Errors: std::invalid_argument for a step or a rate that is not above zero or another number of drives;

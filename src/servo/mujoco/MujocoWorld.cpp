@@ -7,7 +7,8 @@ namespace plumbline::simulation::mujoco {
 namespace {
 
 mjModel* load(const std::string& text) {
-  // MuJoCo would write warnings to a file where it stands; those that matter are asked for after each step.
+  // MuJoCo would write warnings to a file in the current folder; those that matter are asked for after each
+  // step.
   mju_user_warning = [](const char*) {};
   auto files = std::make_unique<mjVFS>();
   mj_defaultVFS(files.get());

@@ -7,7 +7,7 @@
 
 namespace plumbline::simulation {
 
-/// What one effect makes of the speeds that one robot's joints are told.
+/// What one effect makes of the speeds that are commanded to one robot's joints.
 class CommandEffect {
 public:
   virtual ~CommandEffect() = default;

@@ -21,7 +21,7 @@ bool isLink(const std::string& name) {
   return false;
 }
 
-/// What there is in place of a name that is not known; empty for one that is.
+/// The existing names, for a name that is unknown; empty for a known one.
 std::string wrongPlace(const LeagueEffect& effect, const std::string& at) {
   const bool joint =
       std::ranges::any_of(humanoidJointNames, [&](std::string_view name) { return samePlace(name, at); });

@@ -62,7 +62,7 @@ void EffectsWorld::setVelocities(RobotHandle robot, const BodyState& torso, cons
 void EffectsWorld::setJointVelocity(RobotHandle handle, JointId joint, double velocity) {
   if (joint >= 0 && joint < maxJoints && get(handle).motors.touches(joint)) {
     Robot& robot = get(handle);
-    // What the world refuses, it refuses at once.
+    // The world refuses impossible effects at once.
     if (!robot.model.has(joint) || !std::isfinite(velocity))
       world_->setJointVelocity(handle, joint, velocity);
     robot.motors.command(joint, velocity);

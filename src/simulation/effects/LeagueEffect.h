@@ -27,7 +27,7 @@ struct LeagueEffect {
   enum class Site { everywhere, joint, jointOrEverywhere, link, imu, foot, ground };
 
   std::string_view id;
-  int order = 1000;  ///< where it stands in lists; those of the same order by their ids
+  int order = 1000;  ///< its place in lists; those of the same order by their ids
   Site site = Site::joint;
   std::string_view axes = {};   ///< that it can be about, as "xyz"; empty: it has none
   double lower = 0, upper = 0;  ///< of the value

@@ -10,7 +10,7 @@ namespace plumbline::simulation {
 
 namespace {
 
-/// One material's wishes; of two that touch, the mean counts where both wish, else the one that does.
+/// Values that a material asks for; of two that touch, the mean counts if both ask, else the one that does.
 struct Wishes {
   std::optional<double> softErp, softCfm, slip, bounce;
   double bounceVelocity = 0;
@@ -48,10 +48,10 @@ PhysicsConfig leaguePhysics(const WorldConfig& config) {
   std::vector<Wishes> wishes(4);
   wishes[material::robot] = {0.6, 1e-4, 0.005, std::nullopt, 0};
   wishes[material::ball] = {0.5, 0.05, 0.6, 0.8, 0.8};
-  // The ground asks for slip 0.1 and CFM 0.01, too, in calls the server does not understand: its slip stays
-  // at the default and its CFM undefined.
+  // The ground asks for slip 0.1 and CFM 0.01, too, in calls that the server does not understand: its slip
+  // stays at the default and its CFM undefined.
   wishes[material::ground] = {0.2, std::nullopt, 0.005, std::nullopt, 0};
-  // Goals and walls say nothing and get the server's default handler.
+  // Goals and walls set nothing and get the server's default handler.
   wishes[material::obstacle] = {std::nullopt, std::nullopt, std::nullopt, 0.8, 2.0};
   for (const Wishes& a : wishes) {
     auto& row = physics.surfaces.emplace_back();

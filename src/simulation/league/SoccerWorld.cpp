@@ -31,7 +31,7 @@ SoccerWorld::SoccerWorld(const WorldConfig& config) : config_(config) {
 }
 
 void SoccerWorld::reset() {
-  // A new engine is the one way to leave no trace of the past in it; it takes a tenth of a millisecond.
+  // Only a new engine has no trace of the past; making it takes a tenth of a millisecond.
   robots_.clear();
   touchedBall_.clear();
   touchedRobots_.clear();
@@ -175,8 +175,8 @@ void SoccerWorld::senseFeet(RobotHandle handle, Robot& robot) const {
     double weight = 0;
     bool touched = false;
     for (const Contact& contact : physics_->contacts()) {
-      // The server's sensor hears of a contact through the first of the two colliders only, which the ball
-      // is.
+      // The server's sensor notices a contact only through the first of the two colliders, which is the
+      // ball.
       const bool isA = contact.assemblyA == handle && contact.bodyA == link;
       const bool isB =
           contact.assemblyB == handle && contact.bodyB == link && contact.assemblyA != ballHandle_;

@@ -37,7 +37,7 @@ private:
   void appendRobot(const Simulation& simulation, const Player& player, RobotView& view);
   void appendRobotDifference(const Simulation& simulation, const Player& player, RobotView& view);
   void appendTransform(const Matrix& matrix);
-  /// " (SLT ...)" if the matrix moved far enough from what was told.
+  /// " (SLT ...)" if the matrix moved far enough from what was sent.
   void appendIfMoved(const Matrix& matrix, Matrix& sent);
   static Matrix matrixOf(const Pose3& pose, bool robotAxes);
 
@@ -46,7 +46,7 @@ private:
 
   std::string text_;
   SentGame sent_;
-  int foulsSent_ = -1;  ///< index of the last; -1: none is told from before the first message
+  int foulsSent_ = -1;  ///< index of the last; -1: none is sent from before the first message
   Matrix sentBall_{};
   std::map<PlayerId, RobotView> robots_;
   std::map<int, std::vector<BodyLook>> looksOfType_;

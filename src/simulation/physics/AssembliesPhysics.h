@@ -38,13 +38,13 @@ protected:
   }
 
   /// Sees who falls asleep and who wakes up, after contacts were found.
-  void doze() {
+  void updateSleep() {
     std::set<int> touching;
     for (const Contact& contact : contacts()) {
       touching.insert(contact.assemblyA);
       touching.insert(contact.assemblyB);
     }
-    for (const auto& [handle, assembly] : assemblies) assembly->doze(touching.contains(handle));
+    for (const auto& [handle, assembly] : assemblies) assembly->updateSleep(touching.contains(handle));
   }
 
   void check(Material material) const {

@@ -105,7 +105,7 @@ public:
 
   virtual BodyState bodyState(int assembly, int body) const = 0;
   virtual AssemblyState state(int assembly) const = 0;
-  /// Places every body anew, wakes the assembly; motors keep their velocity.
+  /// Places every body, wakes the assembly; motors keep their velocity.
   virtual void setState(int assembly, const AssemblyState& state) = 0;
   /// The velocities of a state only; poses stay to the last bit, with the small gaps load has torn into
   /// hinges; wakes nothing.

@@ -8,7 +8,7 @@ namespace plumbline::simulation {
 /// An engine that a simulation can be run with. Its own file makes it known by MAKE_PHYSICS.
 struct PhysicsEngine {
   const char* name;  ///< as in --engine
-  int order;         ///< where it stands in lists; those of the same order by their names
+  int order;         ///< its place in lists; those of the same order by their names
   std::unique_ptr<Physics> (*make)(const PhysicsConfig& config);
 };
 

@@ -37,7 +37,7 @@ double goalDistance(const Match& match, const Participant& player) {
   return (player.place() - Vec2(sign(player.side) * match.field.length / 2, 0)).norm();
 }
 
-/// Place in the order of distances within the team; offenders do not count, of equals the higher number is
+/// Place in the order of distances within the team; offenders do not count; if equal, the higher number is
 /// first.
 template <typename Distance>
 int rank(Match& match, const Participant& player, const Distance& distance) {

@@ -13,7 +13,7 @@ namespace plumbline::simulation {
 using simspark::PlayMode;
 using simspark::TeamSide;
 
-/// State of the game, as the referee keeps it and everyone is told.
+/// State of the game, as the referee keeps it and everyone receives it.
 struct Game {
   PlayMode mode = PlayMode::beforeKickOff;
   double time = 0;            ///< game clock [s]; stands before kick-off and after the end

@@ -89,7 +89,7 @@ struct Match {
 
   /// Lays the ball down, or shoots it from there [m/s]; the next restart is there, too.
   void placeBall(const Vec3& position, const Vec3& velocity = Vec3::Zero());
-  /// Puts a player's torso there, turned as it is, at rest, whoever else is there.
+  /// Puts a player's torso there, turned as it is, at rest, even if others are there.
   void move(Participant& player, const Vec3& place);
 };
 

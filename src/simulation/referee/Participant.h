@@ -20,7 +20,7 @@ struct Member {
   bool selected = false;  ///< by a trainer
 };
 
-/// A player as the referee knows it: how it stands in this cycle, and what is held against it. Durations are
+/// A player as the referee knows it: its state in this cycle, and its offences. Durations are
 /// counted in cycles.
 struct Participant : Member {
   explicit Participant(const Member& member) : Member(member) { velocities.fill(Vec3::Zero()); }

@@ -23,7 +23,7 @@ Match Referee::match(Game& game, World& world, double seconds) {
 bool Referee::update(Game& game, World& world, const Observation& observation, double seconds) {
   Match match = this->match(game, world, seconds);
   game.advance(seconds);
-  meet(world, observation.members);
+  updateParticipants(world, observation.members);
   memory_.agents = observation.agents;
   watchBall(match, observation);
 
@@ -40,8 +40,8 @@ bool Referee::update(Game& game, World& world, const Observation& observation, d
   return match.changedEnds;
 }
 
-/// Keeps what is known of those who are still there.
-void Referee::meet(World& world, const std::vector<Member>& members) {
+/// Updates the list of participants; what is known of those still there is kept.
+void Referee::updateParticipants(World& world, const std::vector<Member>& members) {
   std::vector<Participant> present;
   present.reserve(members.size());
   for (const Member& member : members) {
@@ -89,7 +89,7 @@ void Referee::dropBall(Game& game, World& world) {
 }
 
 void Referee::clearSelected(Game& game, World& world, const std::vector<Member>& members) {
-  meet(world, members);
+  updateParticipants(world, members);
   Match match = this->match(game, world);
   simulation::clearSelected(match);
 }

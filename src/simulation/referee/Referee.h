@@ -36,7 +36,7 @@ public:
 
 private:
   Match match(Game& game, World& world, double seconds = 0.02);
-  void meet(World& world, const std::vector<Member>& members);
+  void updateParticipants(World& world, const std::vector<Member>& members);
   void watchBall(Match& match, const Observation& observation);
   void judgeFouls(Match& match);
 

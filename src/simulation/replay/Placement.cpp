@@ -39,11 +39,11 @@ bool isPlaced(const LeagueTrace& trace, std::size_t row) {
   const Vec3 added = addedVelocity(trace, row);
   const auto comesFrom = [&](const Vec3& v) { return (way - traceStep * (v + added)).norm() < sameWay; };
   if (comesFrom(velocity)) return false;
-  // Of a robot placed in the next step the accelerometer tells already, there, how it lost its speed.
+  // If the robot is placed in the next step, the accelerometer shows there already how it lost its speed.
   const TraceRow& next = trace.rows[row + 1];
   const Vec3 lost = traceStep * (next.torso.linear() * next.acc - Vec3(0, 0, gravity));
   if (velocity.norm() > sameSpeed && (velocity + lost).norm() < sameSpeed) return false;
-  // Right after a placement the rows before tell no velocity; it began at rest.
+  // Right after a placement the rows before show no velocity; it began at rest.
   return !isPlaced(trace, row - 1) || !comesFrom(addedVelocity(trace, row - 1));
 }
 

@@ -11,7 +11,7 @@ Vec3 addedVelocity(const simspark::LeagueTrace& trace, std::size_t row);
 bool isPlaced(const simspark::LeagueTrace& trace, std::size_t row);
 
 /// Where isPlaced put the torso's centre of mass, at rest, before the step to this row. The accelerometer,
-/// one cycle late, tells what the step added, the gyro how far it turned.
+/// one cycle late, shows what the step added, the gyro how far it turned.
 Pose3 placeBefore(const simspark::LeagueTrace& trace, std::size_t row);
 
 }  // namespace plumbline::simulation

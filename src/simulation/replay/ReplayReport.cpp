@@ -25,7 +25,7 @@ std::string replayReport(const std::string& file, std::optional<int> type, const
     types.push_back(*robotType);
     models.push_back(simsparkRobot(*robotType));
   }
-  const auto ours = replay(traces, models, config);
+  const auto ours = replayTraces(traces, models, config);
   std::string report;
   for (std::size_t i = 0; i < traces.size(); ++i)
     report += (i > 0 ? "\n" : "") + fidelityReport(traces[i], ours[i], types[i]);

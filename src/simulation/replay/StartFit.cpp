@@ -19,7 +19,7 @@ constexpr std::size_t rowsToFit = 10;
 constexpr int iterations = 3;
 constexpr double turnDigit = 1e-6;  // of a rotation's entries, and of places below 1 m
 
-/// Step of the differences, and how far off what the rows say may be [m, rad, m/s, rad/s].
+/// Step of the differences, and the possible error of the rows [m, rad, m/s, rad/s].
 constexpr double small[4] = {1e-6, 1e-6, 1e-5, 1e-5};
 constexpr double doubt[4] = {1e-5, 2e-6, 1e-3, 1e-3};
 
@@ -39,7 +39,7 @@ double digit(double value) {
   return std::abs(value) < 1 ? turnDigit : std::pow(10, std::floor(std::log10(std::abs(value))) - 5);
 }
 
-/// What differs between two rows' torsos, in digits of the recording.
+/// Difference between the torsos of two rows, in digits of the recording.
 Eigen::Matrix<double, 6, 1> difference(const TraceRow& league, const TraceRow& ours) {
   Eigen::Matrix<double, 6, 1> result;
   for (int i = 0; i < 3; ++i) {

@@ -27,7 +27,7 @@ StartState startState(const LeagueTrace& trace, const RobotModel& model) {
     start.rate[joint] = speedOf(turn);
     start.angle[joint] = first.axisAngle[joint] - turn;
   }
-  // The velocity after step 1 is exact; the accelerometer, one cycle late, tells what a step added.
+  // The velocity after step 1 is exact; the accelerometer, one cycle late, shows what a step added.
   const Vec3 velocity1 = (second.torso.translation() - first.torso.translation()) / traceStep;
   const Vec3 velocity0 = velocity1 - addedVelocity(trace, 1);
   start.asleep = velocity1 == Vec3::Zero();

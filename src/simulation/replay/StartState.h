@@ -5,7 +5,7 @@
 
 namespace plumbline::simulation {
 
-/// A robot one step before a trace's first row, as far as the trace tells.
+/// A robot one step before a trace's first row, as far as the trace shows.
 struct StartState {
   BodyState torso;     ///< of its centre of mass
   JointArray angle{};  ///< [rad]

@@ -11,8 +11,9 @@ namespace plumbline::simulation {
 using simspark::LeagueTrace;
 using simspark::TraceRow;
 
-std::vector<std::vector<TraceRow>> replay(const std::vector<LeagueTrace>& traces,
-                                          const std::vector<RobotModel>& models, const WorldConfig& config) {
+std::vector<std::vector<TraceRow>> replayTraces(const std::vector<LeagueTrace>& traces,
+                                                const std::vector<RobotModel>& models,
+                                                const WorldConfig& config) {
   if (traces.empty() || models.size() != traces.size())
     throw std::invalid_argument("replay: each robot of the recording needs its model");
   for (const LeagueTrace& trace : traces)
@@ -35,8 +36,9 @@ std::vector<std::vector<TraceRow>> replay(const std::vector<LeagueTrace>& traces
   return rows;
 }
 
-std::vector<TraceRow> replay(const LeagueTrace& trace, const RobotModel& model, const WorldConfig& config) {
-  return replay(std::vector{trace}, std::vector{model}, config).front();
+std::vector<TraceRow> replayTrace(const LeagueTrace& trace, const RobotModel& model,
+                                  const WorldConfig& config) {
+  return replayTraces(std::vector{trace}, std::vector{model}, config).front();
 }
 
 }  // namespace plumbline::simulation

@@ -12,12 +12,12 @@ namespace plumbline::simulation {
 /// from the rows after it and from gyro and accelerometer. The ball is set again if the recording's ball
 /// jumps, and a robot is put where a beam or a trainer put it. `models` must be as long as `robots`, and all
 /// traces must have the same length (std::invalid_argument).
-std::vector<std::vector<simspark::TraceRow>> replay(const std::vector<simspark::LeagueTrace>& robots,
-                                                    const std::vector<RobotModel>& models,
-                                                    const WorldConfig& config = {});
+std::vector<std::vector<simspark::TraceRow>> replayTraces(const std::vector<simspark::LeagueTrace>& robots,
+                                                          const std::vector<RobotModel>& models,
+                                                          const WorldConfig& config = {});
 
 /// The same for a robot alone.
-std::vector<simspark::TraceRow> replay(const simspark::LeagueTrace& trace, const RobotModel& model,
-                                       const WorldConfig& config = {});
+std::vector<simspark::TraceRow> replayTrace(const simspark::LeagueTrace& trace, const RobotModel& model,
+                                            const WorldConfig& config = {});
 
 }  // namespace plumbline::simulation

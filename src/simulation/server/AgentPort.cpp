@@ -179,7 +179,7 @@ std::string AgentPort::describe(const Agent& agent) const {
 void AgentPort::complain(Agent& agent, const std::string& problem) {
   if (agent.complained) return;
   agent.complained = true;
-  log_(describe(agent) + ": " + problem + " (told once)");
+  log_(describe(agent) + ": " + problem + " (reported once)");
 }
 
 }  // namespace plumbline::simulation

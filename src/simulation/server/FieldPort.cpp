@@ -12,7 +12,7 @@ namespace {
 constexpr std::size_t maxViewers = 32;
 constexpr std::size_t maxMessage = 1024;  ///< bytes: a token and no more
 constexpr std::size_t viewerMayLeave =
-    1 << 16;                         ///< bytes a viewer may leave unread; it is told nothing meanwhile
+    1 << 16;                         ///< bytes a viewer may leave unread; it is sent nothing meanwhile
 constexpr double uprightAxis = 0.5;  ///< as in simspark::fieldState
 }  // namespace
 
@@ -76,7 +76,7 @@ void FieldPort::accept() {
 
 void FieldPort::receive(Viewer& viewer) {
   for (std::string_view message; viewer.client.next(message);) {
-    // It has nothing to command; that it says anything keeps its place when others want it.
+    // It has no commands; any message keeps its place when others want it.
     if (!viewer.admitted) viewer.admitted = sameSecret(message, "(token " + config_.token + ")");
     viewer.spoke = viewer.admitted;
     if (!viewer.admitted) return viewer.client.drop("did not name the token");

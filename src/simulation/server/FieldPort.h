@@ -9,7 +9,7 @@
 
 namespace plumbline::simulation {
 
-/// The port of bin/simplemonitor (thesis A.6.3): tells everybody who connects where robots and ball are, at
+/// The port of bin/simplemonitor (thesis A.6.3): sends everybody who connects where robots and ball are, at
 /// most five times a second of real time, at most 4 kB/s with 22 robots (simspark/FieldMessage.h). It takes
 /// no commands.
 class FieldPort {
@@ -26,7 +26,7 @@ public:
   int port() const { return listener_.port(); }
   void watch(std::vector<pollfd>& descriptors);
   void serve(const pollfd* events);
-  /// Tells those whose turn it is what changed since they were told.
+  /// Sends the changes since the last message to those whose turn it is.
   void tell();
   void dropBroken();
 
@@ -52,7 +52,7 @@ private:
   std::string text_;
 };
 
-/// The state of a game as the port tells it.
+/// The state of a game as the port sends it.
 std::string fieldMessage(const Simulation& simulation);
 
 }  // namespace plumbline::simulation

@@ -69,7 +69,7 @@ void MonitorPort::receive(Monitor& monitor) {
     if (problem.empty() || monitor.complained || text == "(init)")
       continue;  // (init) is how viewers say hello
     monitor.complained = true;
-    log_("monitor " + monitor.client.address() + ": " + problem + " (told once)");
+    log_("monitor " + monitor.client.address() + ": " + problem + " (reported once)");
   }
 }
 
@@ -97,7 +97,7 @@ void MonitorPort::carryOut(Monitor& monitor, const simspark::TrainerCommand& com
 
 void MonitorPort::carryOut(Monitor& monitor, const simspark::ClockCommand& command) {
   using Kind = simspark::ClockCommand::Kind;
-  const simspark::SimulatorClock& clock = clock_;  // what trainers are told of it
+  const simspark::SimulatorClock& clock = clock_;  // what is sent to trainers of it
   const simspark::SimulatorClock before = clock;
   switch (command.kind) {
     case Kind::tell:
@@ -155,7 +155,7 @@ void MonitorPort::tell(bool regular) {
   if (!anyNew && !(anyInformed && regular)) return;
 
   // A robot came, went or got its number: everybody needs the whole scene. A new monitor needs it as well,
-  // but first the others get what changed, as the scene then forgets what it told them.
+  // but first the others get what changed, as the scene then forgets what it sent them.
   const bool whole = simulation_.sceneVersion() != sentVersion_;
   sentVersion_ = simulation_.sceneVersion();
   if (anyInformed && !whole) send(scene_.difference(simulation_), Recipients::informed);

@@ -16,7 +16,7 @@ namespace plumbline::simulation {
 /// How fast the server lets time pass; trainers change it.
 struct RunClock : simspark::SimulatorClock {
   int steps = 0;              ///< cycles to be done though it is paused
-  std::uint64_t changes = 1;  ///< grows with every change that trainers are told
+  std::uint64_t changes = 1;  ///< grows with every change that is sent to trainers
   bool stands() const { return paused && steps == 0; }
 };
 
@@ -44,7 +44,7 @@ public:
   /// Sends new monitors the whole scene, and, if a message is due, the others the changes.
   void tell(bool regular);
   bool due() const { return simulation_.cycle() % static_cast<std::uint64_t>(config_.interval) == 0; }
-  /// Whether somebody has not been told yet that robots came or left.
+  /// Whether a client has not been sent yet that robots came or left.
   bool owe() const;
   void dropBroken();
   bool killRequested() const { return killed_; }
@@ -58,10 +58,10 @@ private:
     Monitor(int fd, const std::string& address, std::size_t maxQueue);
     FramedClient client;
     simspark::TrainerCommandParser parser;
-    std::unique_ptr<MonitorScene> view;  ///< of one that only looks: what it was told
+    std::unique_ptr<MonitorScene> view;  ///< of one that only looks: what it was sent
     double interval = 0, nextView = 0;   ///< [s], and wall clock
     bool viewStale = true;
-    std::uint64_t viewVersion = 0;  ///< of the scene it was told
+    std::uint64_t viewVersion = 0;  ///< of the scene it was sent
     bool clockAsked = false;
     std::uint64_t clockSent = 0;
     std::size_t pending = 0;  ///< commands of this cycle

@@ -13,13 +13,13 @@ namespace plumbline::simulation {
 namespace {
 
 void writeWhole(const std::string& file, const std::string& text) {
-  const std::string beside = file + ".part";
-  FILE* out = std::fopen(beside.c_str(), "w");
+  const std::string partial = file + ".part";
+  FILE* out = std::fopen(partial.c_str(), "w");
   const bool written = out && std::fwrite(text.data(), 1, text.size(), out) == text.size();
   const bool closed = !out || std::fclose(out) == 0;
-  if (!written || !closed || std::rename(beside.c_str(), file.c_str()) != 0) {
+  if (!written || !closed || std::rename(partial.c_str(), file.c_str()) != 0) {
     const int problem = errno;
-    std::remove(beside.c_str());
+    std::remove(partial.c_str());
     throw std::runtime_error("cannot write " + file + ": " + std::strerror(problem));
   }
 }

@@ -5,8 +5,8 @@
 
 namespace plumbline::simulation {
 
-// Small files for whoever started the simulator, written beside and renamed, so that nobody reads half of
-// one. Each throws std::runtime_error, one line, if the file cannot be written.
+// Small files for the caller of the simulator. Each is written under another name, then renamed: nobody reads
+// half of one. Each throws std::runtime_error, one line, if the file cannot be written.
 
 /// {"agent": 3100, "monitor": 3200}, and "web": 8080 if there is a page, "field": 3201 if bin/simplemonitor
 /// has its port.

@@ -12,7 +12,7 @@ namespace plumbline::simulation {
 namespace {
 
 constexpr int patience = 100;                          ///< longest wait before looking at `stop` again [ms]
-constexpr double waitPatience = 2, waitInterval = 10;  ///< until a wait is told, and told again [s]
+constexpr double waitPatience = 2, waitInterval = 10;  ///< until a wait is reported, and reported again [s]
 constexpr double maxLag = 0.1;  ///< a real-time run that is so late gives up on catching up [s]
 
 double cpuSeconds() {
@@ -90,16 +90,16 @@ bool Server::collect() {
   monitors_.dropBroken();
   if (!clockIsStopped()) {
     if (agents_.ready()) return true;
-    // Who comes while an agent is waited for sees at least where everything is.
+    // A client that comes during a wait for agents sees at least where everything is.
     monitors_.tell(false);
     tellField();
     return false;
   }
   tellWait();
-  // Nothing moves, but trainers may set the scene and are shown it.
+  // Nothing moves, but trainers may set the scene and see it.
   const bool commanded = obeyTrainers();
   agents_.dropBroken();
-  // What changed since the last message, or now as a robot left, would not be seen before the clock goes on.
+  // Otherwise the last changes, or a robot that left, would only be seen when the clock goes on.
   const bool stopsNow = !std::exchange(stood_, true);
   monitors_.tell(commanded || stopsNow || monitors_.owe());
   tellField();

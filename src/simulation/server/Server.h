@@ -19,8 +19,8 @@ struct ServerConfig {
   std::optional<FieldPort::Config> field;  ///< where bin/simplemonitor looks; none: no such port
   bool fieldOptional = false;              ///< do without if its port is in use
   bool realTime = true;
-  /// The clock stands until this many agents have connected, and later while none is connected; 0: it never
-  /// stands.
+  /// The clock is stopped until this many agents have connected, and later while none is connected; 0: it is
+  /// never stopped.
   int waitForAgents = 0;
   std::optional<double> maxSeconds;  ///< of simulated time, then run() returns
 };
@@ -75,7 +75,7 @@ private:
   bool started_ = false;
   double nextTick_ = 0;      ///< wall clock
   double waitReported_ = 0;  ///< wall clock of the last line about waiting, or of the beginning of the wait
-  int agentsReported_ = -1;  ///< how many were there then; -1: nothing told of this wait
+  int agentsReported_ = -1;  ///< how many were there then; -1: this wait is not reported yet
   double logLooked_ = 0;     ///< wall clock
   ServerStatistics statistics_;
 };

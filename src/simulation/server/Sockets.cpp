@@ -96,8 +96,8 @@ void FramedClient::serve(short events) {
 
 void FramedClient::read() {
   std::array<char, 1 << 14> bytes;
-  // A client that sends without end must not keep the others waiting: some of it now, the rest in the next
-  // cycle.
+  // A client that sends without end must not keep the others waiting: a part is read now, the rest in the
+  // next cycle.
   for (int round = 0; round < 8 && !broken(); ++round) {
     const ssize_t n = recv(fd_, bytes.data(), bytes.size(), 0);
     if (n == 0) return drop("closed the connection");

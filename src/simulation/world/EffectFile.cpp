@@ -75,8 +75,8 @@ std::vector<EffectSetting> effectsOfAnswer(const std::string& text, const std::s
   return effects;
 }
 
-/// The file's text where it is JSON; nothing for one of YAML, and for one that cannot be read, whose reader
-/// says so.
+/// The file's text if it is JSON; nothing for YAML, and for a file that cannot be read, which the reader
+/// reports.
 std::optional<std::string> jsonIn(const std::string& path) {
   constexpr std::size_t most = std::size_t{64} << 20;
   std::ifstream file(path, std::ios::binary);

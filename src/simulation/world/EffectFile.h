@@ -8,15 +8,15 @@
 
 namespace plumbline::simulation {
 
-/// One effect that a simulator is to have beside what it has: id, place and unit of the value as the gap
+/// One effect that is added to a simulator: id, place and unit of the value as the gap
 /// tool's contract has them (doc/reference/effects-file.md).
 struct EffectSetting {
   std::string effect, at;
   std::string axis;  ///< "x", "y", "z"; empty where the effect has none
   double value = 0;
   std::string variant;  ///< in words, where an effect can be built in more ways than one; empty: the first
-  std::string origin;   ///< where it stands, if not in a file of effects
-  std::optional<ConfigSection> source;  ///< where it stands in a file of effects
+  std::string origin;   ///< where it was written, if not in a file of effects
+  std::optional<ConfigSection> source;  ///< its place in a file of effects
 
   /// Throws ConfigurationError: `FILE:LINE: KEY MESSAGE`, or `ORIGIN: KEY MESSAGE`.
   [[noreturn]] void fail(std::string_view key, const std::string& message) const;

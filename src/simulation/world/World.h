@@ -29,9 +29,9 @@ struct RobotReadings {
   std::optional<FootForce> leftFoot, rightFoot, leftToe, rightToe;
 };
 
-/// Numbers of the league's physics that a world can do without one at a time, as a simulator would that does
-/// not know of them; the defaults are the server's (rcssserver3d 0.7.3).
-struct LeagueNumbers {
+/// Parameters of the league's physics; the defaults are those of its server (rcssserver3d 0.7.3). Each can be
+/// set alone, to simulate a server or a model without that property.
+struct LeaguePhysicsParameters {
   double drag = 0.01;         ///< of each of a robot's bodies: force -drag v, torque -drag w [N s/m, N m s]
   double contactErp = 0.4;    ///< of a robot on the ground: share of the depth undone a step
   double contactCfm = 1e-4;   ///< the same: give under force [s/kg]
@@ -55,7 +55,7 @@ struct WorldConfig {
   bool actionDelay = true;
   double frictionCoefficient = 1;
   bool selfCollision = false;  ///< off in effect on the league's server
-  LeagueNumbers numbers;
+  LeaguePhysicsParameters numbers;
   FieldSize field;
   /// Effects of robots and ground that are not in their models (simulation/effects/); makeWorld throws
   /// ConfigurationError for effects that are impossible here.

@@ -135,13 +135,13 @@ private:
     return request;
   }
 
-  /// What is planned so that the robot walks at its own speed.
+  /// The speed to plan with, so that the robot walks at the requested speed.
   Vec3 planned() const {
     return scale_.planned(speed_.all()) +
            Vec3(p.speed.trimForward + p.speed.brakeLead * speed_.braking(), 0, 0);
   }
 
-  /// Draws the speed walked to the request and finds the walk of it.
+  /// Moves the speed walked towards the request and finds its walk.
   void follow(const WalkRequest& request, double dt) {
     const double turn = stop_.turn(request.turn, request.walk, p, dt);
     if (mode_ == Mode::stand && !request.walk) {
@@ -176,7 +176,7 @@ private:
     swing_ = {s.height, s.swingStart, s.swingEnd, s.swingSmoothness, s.swingSteepness};
   }
 
-  /// Draws the walk state slowly to the observed one (section 4.2.5).
+  /// Moves the walk state slowly towards the observed one (section 4.2.5).
   void observe(const WalkSensors& sensors) {
     const auto delay = static_cast<std::size_t>(std::lround(p.observation.delay / sensors.dt));
     const LinearInvertedPendulum observing(p.model.heights(), p.model.pressure(), prediction);
@@ -197,7 +197,7 @@ private:
     if (mode_ == Mode::stand && !planner_.canHold(*expected, p.recovery.captureMargin)) captureStep();
   }
 
-  /// Where the feet's forces tell how the robot moves.
+  /// Learns the speeds where the feet's forces show how the robot moves.
   void learnSpeed(const WalkSensors& sensors) {
     if (!sensors.feet || mode_ != Mode::walk || kick_.prepared || disturbance.share() > 0) return;
     const Pose2& moved = loop.observed().torsoMotion();
@@ -205,7 +205,7 @@ private:
                   sensors.dt);
   }
 
-  /// Standing cannot hold it: the foot on the side of the capture point carries, the other one steps.
+  /// If standing cannot hold the robot: the foot on the capture point's side carries, the other steps.
   void captureStep() {
     speed_.reset();
     disturbance.begin();
@@ -228,7 +228,7 @@ private:
     return action;
   }
 
-  /// Lets the time pass, through as many changes of support as fall into it.
+  /// Advances the time, with all changes of support in it.
   void advance(const WalkRequest& request, double dt) {
     for (double left = dt; left > 1e-9;) {
       switch (mode_) {

@@ -46,9 +46,9 @@ std::optional<ModelFitResult> BackgroundFit::pass(double dt, const ModelParamete
   if (options_.wait) changed_.wait(lock, [&] { return result_.has_value(); });
   if (!result_) return std::nullopt;
   running_ = false;
-  // Steps walked with the old parameters tell less of the new ones.
+  // Steps walked with the old parameters show less about the new ones.
   steps_.clear();
-  if (result_->anyNew()) {
+  if (result_->hasNewParameters()) {
     probation_ = true;
     fallen_ = false;
     errorBefore_ = result_->leftOutBefore;
@@ -93,10 +93,10 @@ void BackgroundFit::run() {
     fit.seed = seed_;
     fit.prediction = startPrediction_;
     lock.unlock();
-    // Pauses keep it within its share; they change when it is done, not what it finds.
+    // Pauses keep it within its share of time; they change when it ends, not its result.
     using Clock = std::chrono::steady_clock;
     auto begin = Clock::now();
-    fit.goOn = [&] {
+    fit.keepGoing = [&] {
       const auto used = Clock::now() - begin;
       std::unique_lock pause(mutex_);
       if (!options_.wait && options_.cpuShare < 1)

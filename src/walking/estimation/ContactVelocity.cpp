@@ -13,7 +13,7 @@ ContactVelocity::ContactVelocity(const RobotModel& robot) : mass_(robot.totalMas
     parts_[2 + index(side)].link = robot.linkOfJoint[static_cast<std::size_t>(ankle + 1)];
   }
   for (Part& part : parts_)
-    if (part.link >= 0) part.center = robot.links[static_cast<std::size_t>(part.link)].com;
+    if (part.link >= 0) part.centre = robot.links[static_cast<std::size_t>(part.link)].com;
 }
 
 VelocityEvidence ContactVelocity::update(const ForwardKinematics& kinematics, const Mat3& upright,
@@ -34,7 +34,7 @@ VelocityEvidence ContactVelocity::update(const ForwardKinematics& kinematics, co
     const Vec3 pressed = part.pose.linear() * contact->force;
     force += pressed;
     const double weight = std::max(0.0, pressed.z());
-    const Vec3 point = contact->point + part.center;
+    const Vec3 point = contact->point + part.centre;
     moved += weight * (turned * (before * point).head<2>() - (part.pose * point).head<2>());
     load += weight;
   }

@@ -21,7 +21,7 @@ public:
 private:
   struct Part {
     int link = -1;  ///< -1: the robot has no such part
-    Vec3 center;    ///< of its mass in the link's frame [m]
+    Vec3 centre;    ///< of its mass in the link's frame [m]
     Pose3 pose;     ///< about the centre of mass of the robot, upright
   };
   std::array<Part, 4> parts_;  ///< left and right foot, left and right toe

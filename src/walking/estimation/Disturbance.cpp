@@ -22,7 +22,7 @@ void Disturbance::update(const WalkState& planned, const WalkState& observed, do
     Difference& before = usual_[static_cast<std::size_t>(planned.support)][part];
     now_.foot -= before.foot;
     now_.velocity -= before.velocity;
-    // Each part of a step comes once in two steps. A push is not to be learnt as usual.
+    // Each part of a step comes once in two steps. A push must not be learnt as normal.
     const bool standing = planned.support == Support::both;
     const double passed = standing ? dt : 2 * p.step.duration;
     const double learnt = std::min(1.0, passed / p.observation.biasWindow) * (1 - share_);

@@ -39,7 +39,7 @@ SearchSpace spaceFrom(const ModelParameters& start, double furthest) {
   return space;
 }
 
-/// The parameters of least cost; nothing where the options end it.
+/// The parameters of least cost; nothing if the options end the search.
 template <class Cost>
 std::optional<ModelParameters> search(const SearchSpace& space, const ModelFitOptions& options,
                                       std::vector<double>& best, const Cost& cost) {
@@ -55,7 +55,7 @@ std::optional<ModelParameters> search(const SearchSpace& space, const ModelFitOp
     for (Index i = 0; i < candidates.cols(); ++i) costs.push_back(cost(candidates.col(i)));
     optimizer.tell(costs);
     best.push_back(optimizer.bestCost());
-    if (options.goOn && !options.goOn()) return std::nullopt;
+    if (options.keepGoing && !options.keepGoing()) return std::nullopt;
   }
   return parametersOf(optimizer.best());
 }
@@ -68,7 +68,7 @@ double predictionError(std::span<const ObservedStep> steps, const ModelParameter
   std::size_t count = 0;
   for (const ObservedStep& step : steps) {
     const LinearInvertedPendulum model = step.pendulum.with(parameters);
-    // The middle of the step and its end tell as much as all of it.
+    // The middle of the step and its end show as much as all samples.
     for (const std::size_t i : {step.samples.size() / 2, step.samples.size() - 1}) {
       const ObservedStep::Sample& sample = step.samples[i];
       const WalkState end = step.predicted(model, sample.time);
@@ -96,12 +96,12 @@ ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParamete
       predictionError(leftOut, options.prediction);
   if (fitted.empty() || leftOut.empty()) return result;
 
-  // What the steps do not tell stays as it was: a little is paid for every change.
+  // Every change costs a little, so parameters that the steps do not determine stay as they were.
   constexpr double weight = 0.03, weightOfChange = 0.05, weightOfDanger = 10;
   const auto costOf = [&](const Eigen::VectorXd& x) {
     return predictionError(fitted, parametersOf(x)) + weight * x.squaredNorm() / ModelParameters::count;
   };
-  // Steps of one kind of walking tell little of some parameters; none that is planned with goes far in one
+  // Steps of one kind of walking determine some parameters badly, so none used for planning goes far in one
   // fit.
   constexpr double furthestPlanned = 2, anywhere = 1e3;
   const auto predicting =

@@ -17,7 +17,7 @@ struct ModelFitOptions {
   ModelParameters prediction{};  ///< in use
   bool plan = true;              ///< looks for `parameters`, too
   /// Called after every generation; false ends the fit without a result.
-  std::function<bool()> goOn{};
+  std::function<bool()> keepGoing{};
 };
 
 /// Two sets of the ten: `parameters` also change the plan and must be safe for the walk (FitSafety).
@@ -35,7 +35,7 @@ struct ModelFitResult {
   std::vector<double> best;            ///< least error of `parameters` after each generation
   std::vector<double> bestPrediction;  ///< and of `prediction` (figure 4.13)
 
-  bool anyNew() const { return accepted || predicts; }
+  bool hasNewParameters() const { return accepted || predicts; }
 };
 
 /// Mean squared error of the positions and velocities that the model predicts from the beginning of each

@@ -6,7 +6,7 @@
 namespace plumbline::walking {
 namespace {
 
-constexpr double spread = 0.1;  ///< of the particles about a velocity that is told or seen [m/s]
+constexpr double spread = 0.1;  ///< of the particles about a velocity that is given or seen [m/s]
 
 }  // namespace
 
@@ -30,8 +30,8 @@ void VelocityFilter::reset(const Vec2& velocity) {
 void VelocityFilter::predict(const WalkModel& model, const WalkState& before, const WalkAction& action,
                              double dt, const VelocityEvidence& evidence) {
   const Eigen::Rotation2Dd turned(action.duration > 0 ? -action.turn * dt / action.duration : 0);
-  // What the feet do not feel, a push by another robot, some particles have to find: the strays in what is
-  // seen, as many others about what was known.
+  // The feet do not feel a push by another robot, so some particles must find it: the strays about the
+  // velocity that is seen, as many others about the one that was known.
   const std::size_t strays = numStrays(evidence);
   WalkState state = before;
   for (std::size_t i = 0; i < particles_.size(); ++i) {
@@ -51,7 +51,7 @@ void VelocityFilter::predict(const WalkModel& model, const WalkState& before, co
   }
 }
 
-/// So many particles take the velocity that is seen, whatever was known before.
+/// This number of particles takes the velocity that is seen, whatever was known before.
 std::size_t VelocityFilter::numStrays(const VelocityEvidence& evidence) const {
   constexpr double share = 0.1;
   if (!evidence.change || !evidence.seen) return 0;
@@ -72,7 +72,7 @@ const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& befo
       // Student's t with three degrees of freedom: a foot that slides is an outlier.
       const double miss = (particles_[i] - *evidence.seen).squaredNorm() / (3 * noise * noise);
       weights_[i] = 1 / ((1 + miss) * (1 + miss));
-      // A foot that slides for a cycle is more common than a push; what lasts is believed in the next one.
+      // A foot that slides for a cycle is more common than a push; a lasting change is believed next time.
       if (i < strays) weights_[i] *= parameters_.pushOdds;
     } else if (evidence.seen) {
       const double miss = ((before_[i] + particles_[i]) / 2 - *evidence.seen).squaredNorm();
@@ -81,7 +81,7 @@ const Vec2& VelocityFilter::update(const WalkModel& model, const WalkState& befo
     total += weights_[i];
     sum += weights_[i] * particles_[i];
   }
-  // No particle explains what was seen: begin anew from it.
+  // No particle explains what was seen: restart from it.
   if (!(total > 1e-12)) {
     for (Vec2& particle : particles_)
       particle = *evidence.seen + spread * Vec2(random_.gaussian(), random_.gaussian());

@@ -20,7 +20,7 @@ struct VelocityFilterParameters {
   std::uint64_t seed = 1;
 };
 
-/// What a cycle tells of the velocity, in the frame at its end [m/s].
+/// Evidence of the velocity from one cycle, in the frame at its end [m/s].
 struct VelocityEvidence {
   std::optional<Vec2> change;  ///< in the cycle, by the ground's forces; none: the model knows better
   std::optional<Vec2> seen;    ///< in what touches the ground; none: nothing does

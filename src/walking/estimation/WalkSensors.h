@@ -19,7 +19,7 @@ struct FootSensors {
   bool shear = true;  ///< the forces along the sole are measured as well; else only that across it
 };
 
-/// What a robot's message tells of its feet; felt turns each of leftFoot, rightFoot, leftToe and rightToe
+/// The feet's sensors in a robot's message; felt turns each of leftFoot, rightFoot, leftToe and rightToe
 /// into an optional FootContact.
 template <class Message, class Felt>
 FootSensors feltFeet(const Message& message, const Felt& felt) {
@@ -29,7 +29,7 @@ FootSensors feltFeet(const Message& message, const Felt& felt) {
   return feet;
 }
 
-/// What the walk is told every cycle.
+/// Input of the walk in every cycle.
 struct WalkSensors {
   JointArray angles{};              ///< measured [rad]
   Vec2 torsoAngles = Vec2::Zero();  ///< torso against gravity: roll (about x) and pitch (about y) [rad]

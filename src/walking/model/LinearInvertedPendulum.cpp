@@ -28,7 +28,7 @@ Vec2 LinearInvertedPendulum::pivot(const WalkState& state) const {
 }
 
 WalkState LinearInvertedPendulum::move(const WalkState& state, const WalkAction& action, double time) const {
-  // The parameters are those of steps on one foot; what they would do to a robot that stands nobody has seen.
+  // The parameters are of steps on one foot; nobody has tested them on a robot that stands.
   if (state.support == Support::both)
     return move(state, action.centerOfPressure, action, time,
                 {plainRate_, 1, Vec2::Zero(), Vec2::Zero(), Vec2::Ones()});

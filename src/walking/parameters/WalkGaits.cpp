@@ -10,7 +10,7 @@
 namespace plumbline::walking {
 namespace {
 
-// So a pointer to gaits is one to their base.
+// So a pointer to gaits is also a pointer to their base.
 static_assert(std::is_standard_layout_v<WalkGaits>);
 
 /// The groups of WalkParameters with what may differ between gaits.
@@ -73,7 +73,7 @@ const ParameterList& WalkGaits::parameterList() {
 }
 
 WalkParameters WalkGaits::at(const Vec2& velocity, double turn, double recovering) const {
-  // Up to the omnidirectional limits the base is walked.
+  // Up to the omnidirectional limits the robot walks the base.
   const auto beyond = [](double speed, double omni, double full) {
     const double from = omni > 0 ? std::min(omni, full) : 0;
     return from < full ? std::clamp((speed - from) / (full - from), 0.0, 1.0) : 0.0;

@@ -10,7 +10,7 @@ namespace {
 constexpr double velocityThreshold = 1e-4;  // [m/s]
 constexpr int maxIterations = 5;
 
-/// The step on the foot `support`. Each foot stands at its place beside the centre of mass in the middle of
+/// The step on the foot `support`. Each foot is at its place next to the centre of mass in the middle of
 /// the time it carries. When walking sideways or turning the feet are placed further apart and splayed, so
 /// that the step against the direction only closes the feet.
 WalkAction stepOf(const Gait& gait, Side support) {
@@ -52,7 +52,7 @@ ReferenceTrajectory findReferenceTrajectory(const WalkModel& model, const Gait& 
       Vec2::Zero(), velocityThreshold, maxIterations);
   reference.iterations = root.evaluations;
   reference.error = root.error.norm();
-  // The foot that swings in the first step stands where the step before left it.
+  // The foot that swings in the first step is where the step before left it.
   s0.foot[1] = model.predict(s1, onRight).foot[1];
   s1 = model.predict(s0, onLeft);
   return reference;

@@ -27,7 +27,7 @@ void SpeedControl::update(const Vec2& goal, double turn, const WalkParameters& p
   for (int i = 0; i < 3; ++i) now_[i] = approach(now_[i], target[i], rate[i] * dt);
   constexpr double average = 0.1;  // about a step [s]
   acceleration_ += std::min(1.0, dt / average) * ((now_.x() - before) / dt - acceleration_);
-  // The robot brakes before it turns: what forward speed leaves of the effort limits the rest.
+  // The robot brakes before it turns: the effort that forward speed leaves limits the rest.
   const Vec3 omni = omniLimits(now_.x(), p);
   const double used = std::abs(now_.x()) / omni.x();
   const double rest = std::max(axis == 0 ? p.sprint.lateralShare : 0.0, 1 - used);

@@ -35,7 +35,7 @@ inline Vec3 fullLimits(double forward, const WalkParameters& p) {
   return {forward < 0 ? p.speed.maxBackward : p.speed.maxForward, p.speed.maxSideways, p.speed.maxTurn};
 }
 
-/// How much of a speed is beside an axis, as a share of the limits.
+/// How much of a speed is off an axis, as a share of the limits.
 inline double besideAxis(const Vec3& speed, const Vec3& limits, int axis) {
   Vec3 others = speed.cwiseQuotient(limits);
   others[axis] = 0;

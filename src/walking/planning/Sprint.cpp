@@ -6,9 +6,9 @@ namespace plumbline::walking {
 namespace {
 
 constexpr double nearlyFull = 0.9;  ///< share of the full speed that is meant to be a sprint
-constexpr double straight = 0.2;    ///< share of the omnidirectional limits that may be asked for beside it
+constexpr double straight = 0.2;  ///< share of the omnidirectional limits that may be asked for off the axis
 
-/// The axis that a wish means to sprint along, -1: none.
+/// The axis along which a request wants to sprint, -1: none.
 int sprintAxis(const Vec3& wish, const WalkParameters& p) {
   const Vec3 omni = omniLimits(wish.x(), p), most = fullLimits(wish.x(), p);
   for (int i = 0; i < 3; ++i) {
@@ -19,7 +19,7 @@ int sprintAxis(const Vec3& wish, const WalkParameters& p) {
   return -1;
 }
 
-/// The speed with a share of the omnidirectional limits at most beside the axis.
+/// The speed with a share of the omnidirectional limits at most off the axis.
 Vec3 straightened(Vec3 speed, const Vec3& omni, int axis, double share) {
   for (int i = 0; i < 3; ++i)
     if (i != axis) speed[i] = std::clamp(speed[i], -share * omni[i], share * omni[i]);

@@ -149,8 +149,8 @@ WalkAction StepPlanner::stand(const WalkState& state, double duration) const {
 }
 
 bool StepPlanner::canHold(const WalkState& state, double margin) const {
-  // Where the pressure would have to be to stop the mass: the model's, whatever it is, tried with a pressure
-  // under the mass and with one beside it.
+  // Where the pressure must be to stop the mass: found with any model, from one pressure under the mass and
+  // one next to it.
   WalkState both = state;
   both.support = Support::both;
   WalkAction action;
@@ -165,7 +165,7 @@ bool StepPlanner::canHold(const WalkState& state, double margin) const {
 }
 
 bool StepPlanner::canStand(const WalkState& state) const {
-  // Tried out with the model, with pressure kept for what the model does not know.
+  // Tested with the model, with a reserve of pressure for what the model does not know.
   constexpr double cycle = 0.04, patience = 0.8, calm = 0.03;  // [s, s, m/s]
   WalkState tried = state;
   tried.support = Support::both;

@@ -88,7 +88,7 @@ void run(const std::filesystem::path& folder) {
     const auto lines = [&](const char* engine) {
       WorldConfig config;
       config.engine = engine;
-      return fidelityLines(trace, replay(trace, model, config), spread);
+      return fidelityLines(trace, replayTrace(trace, model, config), spread);
     };
     const std::vector<FidelityLine> onOde = lines("ode"), onBullet = lines("bullet");
     ++traces;

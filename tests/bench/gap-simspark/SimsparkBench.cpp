@@ -146,12 +146,13 @@ std::string introduction(const TraceEvidence& evidence) {
          " settings, fits each on recordings of robot types 0, 2 and 4 and judges it on types 1 and 3 (" +
          std::to_string(std::ranges::count(evidence.windows(), true, &TraceWindow::leftOut)) +
          " windows of 0.1 s). It knows neither what was left out nor the league's values.\n\nGaps are "
-         "typical errors on held-out windows, in units of the error of the nominal simulator on its own "
+         "typical errors on windows left out of the fit, in units of the error of the nominal simulator on "
+         "its own "
          "runs. The tenth of the windows with the largest errors is left out, because there a contact came a "
          "cycle earlier or later. \"full\": "
          "the complete simulator, on the same windows in the same units, which no diagnosis sees. Free "
          "run: "
-         "error of the torso after 2 s open loop, median of held-out walks and turns, before and after, "
+         "error of the torso after 2 s open loop, median of left-out walks and turns, before and after, "
          "mm.\n\n"
          "| left out | verdict | found (league's value), probability | or | before | after | floor | full | "
          "closed "

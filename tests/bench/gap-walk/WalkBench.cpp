@@ -197,7 +197,7 @@ void write(const std::vector<Case>& cases, const Mechanism& robot, std::uint64_t
       "A NAO walks in Bullet with the project's own walk, forward, sideways and turning, 12 s each; "
       "`bin/gap diagnose` sees these three runs and nothing else. %zu robots, seed %llu.\n\n"
       "Named first: %zu of %zu (95 %%: %.2f to %.2f), among three %zu (%.2f to %.2f). False alarms: "
-      "%zu of %zu (up to %.2f). Gap closed on half-seconds held out: %.2f on average; %.0f s of CPU on "
+      "%zu of %zu (up to %.2f). Gap closed on half-seconds left out: %.2f on average; %.0f s of CPU on "
       "average. Severity: the change that the effect makes in replays of these walks, divided by the noise, "
       "in the channel that shows it best; if it is less than 3, the effect is drawn again. The head of a "
       "robot without an effect is about a millionth of a kilogram heavier, with another value for each "

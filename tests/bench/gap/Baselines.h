@@ -21,7 +21,7 @@ constexpr BaselineWay baselineWays[] = {
     {"oracle", "oracle that knows the effect", false, true}};
 
 /// All but the first, which are not there yet. `best_bic`: the one effect that fits best, by the Bayesian
-/// information criterion, nothing held out; `oracle`: knows which effects there are, finds places and values.
+/// information criterion, nothing left out; `oracle`: knows which effects there are, finds places and values.
 void writeBaselines(const gap::BlindCase& c, const Mechanism& robot, const std::string& runs,
                     const std::string& folder, int jobs);
 

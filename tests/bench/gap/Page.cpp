@@ -109,7 +109,7 @@ std::string besideOthers(const BenchResult& r) {
       "its bounds.\n"
       "- Nested friction models: none, Coulomb, + viscous, + Stribeck, + load at that joint; the smallest "
       "error on stretches that were not fitted decides, and the term whose removal costs most is named.\n"
-      "- Best single effect by BIC: the same search as the diagnosis, without held-out data.\n\n";
+      "- Best single effect by BIC: the same search as the diagnosis, without data left out.\n\n";
   constexpr const char* columns[] = {"top1",          "place",      "hard",           "false_alarms",
                                      "unknown_found", "mixture_f1", "parameter_error"};
   std::vector<std::string> titles = {""};

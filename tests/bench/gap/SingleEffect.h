@@ -5,7 +5,7 @@
 namespace plumbline::bench {
 
 /// The one effect whose fit has the least Bayesian information criterion (Schwarz 1978) on all that the
-/// diagnosis tries, nothing held out; empty where no effect has less than none. The evaluators' bases are
+/// diagnosis tries, nothing left out; empty where no effect has less than none. The evaluators' bases are
 /// set.
 gap::Explanation bestByBic(gap::Evaluator& fine, gap::Evaluator& coarse, int jobs);
 

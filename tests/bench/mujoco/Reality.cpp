@@ -99,7 +99,7 @@ private:
       model.geared.push_back(drives_[j].isGeared());
       model.armature.push_back(drives_[j].rotorInertia());
       model.damping.push_back(drives_[j].viscousFriction());
-      model.rubs.push_back(drives_[j].hasDryFriction());
+      model.hasFriction.push_back(drives_[j].hasDryFriction());
     }
     world_ = std::make_unique<World>(robot_, modelText(robot_, model));
     if (soft)

@@ -155,7 +155,7 @@ double worst(const std::vector<const char*>& names,
   double largest = 0;
   for (const char* name : names) {
     const simspark::LeagueTrace league = trace(name);
-    const auto ours = replay(league, simsparkRobot(league.robotType.value_or(0)));
+    const auto ours = replayTrace(league, simsparkRobot(league.robotType.value_or(0)));
     largest = std::max(largest, figure(deviation(league.rows, ours)));
   }
   return largest;

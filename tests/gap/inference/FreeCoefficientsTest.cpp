@@ -51,7 +51,7 @@ TEST(FreeCoefficients, countForWhatTheyAreWorthBesideASet) {
   const Replayer replayer(arm, groups, 1);
   FreeCoefficients free(replayer);
   const double before = free.cells()[1].share;
-  EXPECT_TRUE(free.weighBeside(truth));
+  EXPECT_TRUE(free.updateColumnShares(truth));
   EXPECT_GT(free.cells()[1].share, before) << "what friction left was slow";
 }
 

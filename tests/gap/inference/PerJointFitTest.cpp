@@ -6,7 +6,7 @@
 #include <array>
 
 #include "../ThreeMotions.h"
-#include "gap/inference/Further.h"
+#include "gap/inference/AllJointFit.h"
 
 namespace plumbline::gap {
 
@@ -92,7 +92,7 @@ TEST(PerJointFit, aPriorDrawsJointsToWhatTheyHaveInCommon) {
   EXPECT_NEAR(causeIn(nominal, "viscous_friction", "shoulder").value, 0, 0.002);
 }
 
-TEST(Further, saysHowMuchMoreAllValuesClose) {
+TEST(AllJointFit, saysHowMuchMoreAllValuesClose) {
   const Mechanism arm = twoJointArm();
   const std::vector<Trial> trials = threeMotions(frictionOfBoth());
   const auto leftBy = [&](const Explanation& causes) {
@@ -101,12 +101,12 @@ TEST(Further, saysHowMuchMoreAllValuesClose) {
     return left;
   };
   const std::vector<Explanation> nothing(trials.size());
-  const Further further = furtherOf(arm, trials, {}, nothing, leftBy({}), 1);
+  const AllJointFit further = fitOfAllJoints(arm, trials, {}, nothing, leftBy({}), 1);
   EXPECT_EQ(further.parameters, 22);
   EXPECT_EQ(further.leftOut.size(), 3);
   EXPECT_GT(further.closed, 0.85);
   EXPECT_GT(further.claim.closed, 0.7);
-  EXPECT_LT(furtherOf(arm, trials, {}, nothing, leftBy(frictionOfBoth()), 1).closed, 0.02);
+  EXPECT_LT(fitOfAllJoints(arm, trials, {}, nothing, leftBy(frictionOfBoth()), 1).closed, 0.02);
   // What it fitted to all closes as much of another motion.
   Trial other = armTrial(arm, 4, 0.3);
   other = recorded(plantOf(arm, frictionOfBoth()), other, readingNoise, 9);
@@ -114,8 +114,8 @@ TEST(Further, saysHowMuchMoreAllValuesClose) {
   EXPECT_LE(further.model.size(), further.parameters);
 }
 
-TEST(Further, isSaidWhereItIsWorthIt) {
-  Further further;
+TEST(AllJointFit, isSaidWhereItIsWorthIt) {
+  AllJointFit further;
   further.parameters = 24;
   further.closed = 0.12;
   EXPECT_EQ(further.sentence(),
@@ -124,10 +124,10 @@ TEST(Further, isSaidWhereItIsWorthIt) {
   EXPECT_EQ(further.sentence(), "");
 }
 
-TEST(Further, ofARobotOnItsFeetNothingIsSaid) {
+TEST(AllJointFit, ofARobotOnItsFeetNothingIsSaid) {
   std::vector<Trial> trials = threeMotions({});
   trials[1].freeBase = true;
-  EXPECT_EQ(furtherOf(twoJointArm(), trials, {}, {}, {}, 1).parameters, 0);
+  EXPECT_EQ(fitOfAllJoints(twoJointArm(), trials, {}, {}, {}, 1).parameters, 0);
 }
 
 }  // namespace plumbline::gap

@@ -121,7 +121,7 @@ TEST(AnswerFile, ReadsTheValuesOfAllJoints) {
   };
   const std::string none =
       "a.json: has no values of all joints (gap.further.model); answers with the verdict unknown about "
-      "robots whose base is held have them";
+      "robots whose base is fixed have them";
   EXPECT_EQ(refused(), none);
   answer["gap"] = 3;
   EXPECT_EQ(refused(), none);

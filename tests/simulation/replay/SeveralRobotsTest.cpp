@@ -110,7 +110,7 @@ void expectRepeated(const std::filesystem::path& folder, std::vector<std::size_t
   const auto traces =
       simspark::readLeagueRecording(folder / (folder.filename().string().substr(8) + "_r2t0.csv"));
   ASSERT_EQ(traces.size(), 2u);
-  const auto ours = replay(traces, {simsparkRobot(0), simsparkRobot(0)});
+  const auto ours = replayTraces(traces, {simsparkRobot(0), simsparkRobot(0)});
   for (std::size_t r = 0; r < 2; ++r) {
     const TraceDeviation off = deviation(traces[r].rows, ours[r]);
     EXPECT_LT(off.position, 2e-4) << traces[r].name;
@@ -130,15 +130,15 @@ TEST(SeveralRobots, areBeamedWhereTheyWereBeamed) { expectRepeated(twoRobots("be
 TEST(SeveralRobots, touchEachOther) {
   const auto folder = twoRobots("alone", false);
   const LeagueTrace one = simspark::readLeagueTrace(folder / "alone_r1t0.csv");
-  EXPECT_GT(deviation(one.rows, replay(one, simsparkRobot(0))).position, 1e-3)
+  EXPECT_GT(deviation(one.rows, replayTrace(one, simsparkRobot(0))).position, 1e-3)
       << "without the other one it is no test";
 }
 
 TEST(SeveralRobots, needAModelEachAndAsManyRows) {
   auto traces = simspark::readLeagueRecording(twoRobots("rows", false) / "rows_r1t0.csv");
-  EXPECT_THROW(replay(traces, {simsparkRobot(0)}), std::invalid_argument);
+  EXPECT_THROW(replayTraces(traces, {simsparkRobot(0)}), std::invalid_argument);
   traces[1].rows.pop_back();
-  EXPECT_THROW(replay(traces, {simsparkRobot(0), simsparkRobot(0)}), std::invalid_argument);
+  EXPECT_THROW(replayTraces(traces, {simsparkRobot(0), simsparkRobot(0)}), std::invalid_argument);
 }
 
 /// No robot of the league's recordings was put anywhere while it was recorded.

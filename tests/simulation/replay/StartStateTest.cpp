@@ -17,7 +17,7 @@ LeagueTrace read(const std::string& name) {
 }
 
 std::vector<TraceRow> play(const LeagueTrace& trace) {
-  return replay(trace, simsparkRobot(trace.robotType.value_or(0)));
+  return replayTrace(trace, simsparkRobot(trace.robotType.value_or(0)));
 }
 
 class Start : public testing::TestWithParam<const char*> {};

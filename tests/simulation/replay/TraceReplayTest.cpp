@@ -29,7 +29,7 @@ struct Played {
 Played play(const std::string& name) {
   Played played;
   played.league = simspark::readLeagueTrace("tests/data/traces/" + name + ".csv.gz");
-  played.ours = replay(played.league, simsparkRobot(played.league.robotType.value_or(0)));
+  played.ours = replayTrace(played.league, simsparkRobot(played.league.robotType.value_or(0)));
   played.off = deviation(played.league.rows, played.ours);
   return played;
 }
@@ -152,7 +152,7 @@ TEST(TraceReplay, kickWithBouncingStops) {
   const Vec3 end = league.rows.back().ball;
   double nearest = 1, farthest = 0;
   for (unsigned seed = 1; seed <= 12; ++seed) {
-    const auto ours = replay(withinRounding(league, seed), simsparkRobot(3));
+    const auto ours = replayTrace(withinRounding(league, seed), simsparkRobot(3));
     const double off = (ours.back().ball - end).norm();
     nearest = std::min(nearest, off);
     farthest = std::max(farthest, off);
@@ -171,13 +171,13 @@ TEST(TraceReplay, theSwitchesMatter) {
   const auto trace = simspark::readLeagueTrace("tests/data/traces/ut_kick_t3.csv.gz");
   WorldConfig config;
   config.bouncingJointStops = false;
-  const auto ours = replay(trace, simsparkRobot(3), config);
+  const auto ours = replayTrace(trace, simsparkRobot(3), config);
   EXPECT_GT(deviation(trace.rows, ours).ball, 0.1);
 }
 
 TEST(TraceReplay, reportNamesWhatItCompares) {
   const auto trace = simspark::readLeagueTrace("tests/data/traces/ball_roll_v3.csv.gz");
-  const std::string report = fidelityReport(trace, replay(trace, simsparkRobot(0)), 0);
+  const std::string report = fidelityReport(trace, replayTrace(trace, simsparkRobot(0)), 0);
   EXPECT_NE(report.find("ball_roll_v3, robot type 0, 250 rows\n"), std::string::npos) << report;
   EXPECT_NE(report.find("ball, distance                    1.97"), std::string::npos) << report;
   EXPECT_NE(report.find("torso off by 1 mm from row -1"), std::string::npos) << report;

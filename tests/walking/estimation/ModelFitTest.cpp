@@ -131,7 +131,7 @@ TEST(ModelFit, doesNoHarmWhereThereIsNone) {
 }
 
 TEST(ModelFit, neverTakesWhatPredictsLeftOutStepsWorse) {
-  // Every third step, which is held out, is of another robot.
+  // Every third step, which is left out of the fit, is of another robot.
   auto steps = stepsOf(biased(), 30, 0);
   const auto plain = stepsOf({}, 30, 0);
   for (std::size_t i = 2; i < steps.size(); i += 3) steps[i] = plain[i];

@@ -25,7 +25,7 @@ private:
 
 }  // namespace
 
-/// The play is crossed before the link moves; within it the link stands still.
+/// The play is crossed before the link moves; within it the link does not move.
 const LeagueEffect backlash{
     .id = "backlash",
     .order = 110,

@@ -2,7 +2,7 @@
 
 namespace plumbline::simulation {
 
-/// A link's centre of mass is elsewhere.
+/// Moves a link's centre of mass.
 const LeagueEffect comOffset{
     .id = "com_offset",
     .order = 220,

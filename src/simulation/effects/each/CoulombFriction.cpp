@@ -2,7 +2,7 @@
 
 namespace plumbline::simulation {
 
-/// A velocity motor feels friction as torque that it lacks, whatever its limit was made.
+/// For a velocity motor, friction is torque that it lacks, whatever its limit is.
 const LeagueEffect coulombFriction{
     .id = "coulomb_friction",
     .order = 70,

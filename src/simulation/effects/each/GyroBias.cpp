@@ -17,7 +17,7 @@ private:
 
 }  // namespace
 
-/// The gyroscope shows more than there is, in its own axes.
+/// The gyroscope shows more than the true rate, in its own axes.
 const LeagueEffect gyroBias{
     .id = "gyro_bias",
     .order = 250,

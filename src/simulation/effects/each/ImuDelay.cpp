@@ -34,7 +34,7 @@ private:
 
 }  // namespace
 
-/// Gyroscope and accelerometer show what was earlier; several delays add up.
+/// Gyroscope and accelerometer show earlier values; several delays add up.
 const LeagueEffect imuDelay{
     .id = "imu_delay",
     .order = 260,

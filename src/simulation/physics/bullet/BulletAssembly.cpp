@@ -161,7 +161,7 @@ void BulletAssembly::wake() {
   stepsToSleep_ = idleSteps;
 }
 
-void BulletAssembly::doze(bool touching) {
+void BulletAssembly::updateSleep(bool touching) {
   if (asleep_ || (spec_.hinges.empty() && !touching)) return;
   bool idle = true;
   for (const BodyState& each : states_)

@@ -48,7 +48,7 @@ public:
   void wake();
   bool asleep() const { return asleep_; }
   /// Slow for ten steps, all bodies: stops and sleeps. A free body in the air does not sleep.
-  void doze(bool touching);
+  void updateSleep(bool touching);
 
   /// Moves on freely: gravity, drag and the torque of motors at a stop. Then rows are gathered.
   void begin(const PhysicsConfig& config);

@@ -32,7 +32,7 @@ public:
 
   void step() override {
     contactFinder_.find(assemblies);
-    if (config.autoDisable) doze();
+    if (config.autoDisable) updateSleep();
     stepper_.step(config, assemblies, contactFinder_);
   }
   const std::vector<Contact>& contacts() const override { return contactFinder_.contacts(); }
@@ -55,7 +55,7 @@ std::unique_ptr<Physics> makeBulletPhysics(const PhysicsConfig& config) {
   return std::make_unique<BulletPhysics>(config);
 }
 
-// Other physics for a second opinion.
+// Another engine, for a second opinion.
 MAKE_PHYSICS(bullet, {"bullet", 30, makeBulletPhysics});
 
 }  // namespace plumbline::simulation::bullet

@@ -109,7 +109,7 @@ void BulletRows::eliminateHeld(const Eigen::VectorXd& velocity) {
     for (Eigen::Index k = 0; k < across_.cols(); ++k)
       across_(j, k) = response(own.row, placed_[static_cast<std::size_t>(k)]);
   }
-  // Eigen is not asked about matrices without a row or column: it would form references from null pointers.
+  // Matrices without a row or column are not passed to Eigen: it would form references from null pointers.
   if (n == 0) return;
   const Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>> cholesky(factor_);
   cholesky.matrixL().solveInPlace(side_);

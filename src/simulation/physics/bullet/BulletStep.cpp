@@ -97,8 +97,8 @@ void BulletStep::fillSystem(const PhysicsConfig& config, const BulletContacts& c
   for (BulletAssembly* member : members_) member->rows().addTo(system_);
 }
 
-/// Solves the island with motors as they are known to be: at their limit or not. False, if more of them would
-/// need more than they have; then all is to be done again.
+/// Solves the island with each motor at its limit or not, as found so far. False if more motors would need
+/// more than they have; then it must be solved again.
 bool BulletStep::solve(const PhysicsConfig& config, const BulletContacts& contacts) {
   fillSystem(config, contacts);
   solveWithFriction(system_, frictionLimits_);

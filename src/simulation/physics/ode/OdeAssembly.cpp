@@ -194,7 +194,7 @@ void OdeAssembly::wake(int index) {
   stepsToSleep_[at(index)] = idleSteps;
 }
 
-void OdeAssembly::doze(bool touching) {
+void OdeAssembly::updateSleep(bool touching) {
   if (hinges_.empty() && !touching) return;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (!dBodyIsEnabled(bodies_[i])) continue;

@@ -48,7 +48,7 @@ public:
   bool asleep() const;
   /// ODE's auto-disabling: a body that has been slow for ten steps stops and sleeps; whatever it is joined to
   /// or touches wakes it again in the same step. A free body in the air does not sleep.
-  void doze(bool touching);
+  void updateSleep(bool touching);
   OdeTree& tree() { return *equations_; }
 
 private:

@@ -14,7 +14,7 @@ namespace {
 
 static_assert(sizeof(dReal) == sizeof(double), "the league's physics needs ODE in double precision");
 
-/// What ODE would end the program for: numbers that went to infinity, mostly, after settings that cannot be.
+/// An error for which ODE would end the program: mostly infinite numbers after impossible settings.
 void failLoudly(int, const char*, va_list) {
   throw std::runtime_error("ODE: the simulation became unstable; check its settings");
 }
@@ -79,7 +79,7 @@ public:
     for (const auto& [handle, assembly] : assemblies) assembly->applyDrag(config.stepSeconds);
     contactFinder_.find(assemblies);
     if (solver_ == Solver::tree) {
-      if (config.autoDisable) doze();
+      if (config.autoDisable) updateSleep();
       treeStep_.step(config, assemblies, contactFinder_);
       return;
     }

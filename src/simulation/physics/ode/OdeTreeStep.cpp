@@ -9,7 +9,7 @@ namespace {
 
 constexpr double unbounded = std::numeric_limits<double>::infinity();
 
-/// Two directions across a normal, as any would do: friction is the same in all.
+/// Two directions across a normal; any would do, because friction is the same in all.
 std::pair<Vec3, Vec3> across(const Vec3& normal) {
   dVector3 n = {normal.x(), normal.y(), normal.z()}, p, q;
   dPlaneSpace(n, p, q);
@@ -100,7 +100,7 @@ void OdeTreeStep::appendContactRows(const PhysicsConfig& config, const OdeContac
   }
 }
 
-/// Tells each tree which rows reach it where.
+/// Gives each tree the rows that reach it, with their places.
 void OdeTreeStep::distributeRows() {
   for (Member& member : members_) {
     member.touched.clear();

@@ -10,7 +10,7 @@ namespace plumbline::simulation {
 namespace {
 
 constexpr double infinity = std::numeric_limits<double>::infinity();
-/// What rounding may do to an impulse or a velocity; a row within it of a change of sides stays where it is.
+/// Rounding error of an impulse or a velocity; a row this close to a change of sides stays where it is.
 constexpr double rounding = 1e-12;
 using InPlaceCholesky = Eigen::LLT<Eigen::Ref<Eigen::MatrixXd>>;
 
@@ -56,7 +56,7 @@ const Eigen::VectorXd& BoundedSystem::solve() {
 
   // Block elimination of the free rows: L L^T = A_ff, cross = L^-1 A_fb, side = L^-1 b_f.
   const InPlaceCholesky cholesky(freeMatrix_);
-  // Eigen is not asked about matrices without a row or column: it would form references from null pointers.
+  // Matrices without a row or column are not passed to Eigen: it would form references from null pointers.
   if (nf > 0) cholesky.matrixL().solveInPlace(freeSide_);
   if (nf > 0 && nb > 0) {
     cholesky.matrixL().solveInPlace(cross_);
@@ -82,7 +82,7 @@ void BoundedSystem::pivot() {
   std::vector<int> wanted(n);
   int allowance = 3;
   std::size_t fewest = n + 1;
-  // Far more rounds than pivoting needs; past them rounding keeps a row undecided, and either way is right.
+  // Far more rounds than pivoting needs; then only rounding keeps a row undecided; both sides are right.
   for (int round = 0; round < 1000; ++round) {
     solveFree();
     std::size_t wrong = 0, last = 0;

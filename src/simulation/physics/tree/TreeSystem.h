@@ -68,7 +68,7 @@ private:
     Mat6 inverseInertia;  ///< of the body with everything below it
     Mat6 stiffness;       ///< inverse of the joint's S = inverseInertia + C
     Mat6 up;              ///< takes a momentum of the body to its parent
-    Mat6 own;             ///< velocity by momentum while the parent stands still
+    Mat6 own;             ///< velocity by momentum while the parent is at rest
     Mat6 response;
     bool responseKnown = false;
     Vec3 gap;     ///< parent's anchor - child's anchor

@@ -45,7 +45,7 @@ bool isGoalieAtHome(const FieldSize& field, const Participant& player) {
   return player.goalie() && deep && std::fabs(place.y()) <= field.penaltyWidth / 2;
 }
 
-/// What is changed when all collisions have been judged.
+/// Changes that are made after all collisions were judged.
 struct Outcome {
   int sinceBallTouch, sinceCollision;
   bool fouled = false;
@@ -115,7 +115,7 @@ private:
            player.velocity().dot(towards) >= rules_.minCollisionSpeed;
   }
 
-  /// Whoever is charged by one who may do so, or did so just now, is not to blame for what follows.
+  /// A player that is charged legally, or was charged just now, is not to blame for what follows.
   void excuse(const Participant& charger, const Participant& victim, bool chargerAtHome) {
     Outcome& outcome = outcomeOf(victim);
     if (chargerAtHome)

@@ -3,7 +3,7 @@
 
 namespace plumbline::simulation {
 
-/// A player that lies for more than 15 s or does not stand for more than 30 s is put beside the field; a
+/// A player that lies for more than 15 s or does not stand for more than 30 s is put outside the field; a
 /// goalie has 30 and 60 s. (AnalyseFouls)
 class Incapable : public Rule {
 public:

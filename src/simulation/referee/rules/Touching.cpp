@@ -63,7 +63,7 @@ void shuffle(Match& match, Group& group) {
         group[std::min(i - 1, static_cast<std::size_t>(match.random.uniform(0, static_cast<double>(i))))]);
 }
 
-/// Who has to go of a group that `player` made, or found, too large; null: nobody.
+/// The player that must leave a group that `player` made, or found, too large; null: nobody.
 Participant* culprit(Match& match, Participant& player, Group group, Vec2& middle) {
   shuffle(match, group);
   int mates = 0, innocent = 0;

@@ -1,4 +1,4 @@
-#include "gap/diagnosis/Merit.h"
+#include "gap/diagnosis/AcceptanceTest.h"
 
 #include <gtest/gtest.h>
 
@@ -11,7 +11,7 @@ constexpr double noise = 5e-4;
 
 /// An arm whose elbow is pulled three times the noise away, and whose shoulder is off by 2.9 times the noise
 /// for no reason that the library knows.
-struct MeritTest : ::testing::Test {
+struct AcceptanceTestTest : ::testing::Test {
   static std::vector<Trial> trials() {
     std::vector<Trial> result;
     for (const std::uint64_t seed : {1, 2}) {
@@ -33,7 +33,7 @@ struct MeritTest : ::testing::Test {
   Evaluator evaluator{arm, evidence};
 };
 
-TEST_F(MeritTest, whereLittleIsLeftACauseMayPassInTheWorstChannelAlone) {
+TEST_F(AcceptanceTestTest, whereLittleIsLeftACauseMayPassInTheWorstChannelAlone) {
   const AcceptanceTest acceptance(evaluator);
   const double part = partExplainedBy({pull()});
   EXPECT_LT(part, 0.8) << "what is wrong with the shoulder stays";
@@ -45,7 +45,7 @@ TEST_F(MeritTest, whereLittleIsLeftACauseMayPassInTheWorstChannelAlone) {
   EXPECT_FALSE(acceptance.passes(evaluator, 1.2 * part));
 }
 
-TEST_F(MeritTest, notAtAJointThatHasACause) {
+TEST_F(AcceptanceTestTest, notAtAJointThatHasACause) {
   const Cause damping = causeOfArm("viscous_friction", "elbow", 1e-6);
   evaluator.setBase({damping});
   const AcceptanceTest acceptance(evaluator);
@@ -54,7 +54,7 @@ TEST_F(MeritTest, notAtAJointThatHasACause) {
   EXPECT_FALSE(acceptance.passes(evaluator, 1.2 * part));
 }
 
-TEST_F(MeritTest, whatIsLeftIsSharedByTheDirectionsOfAllChannels) {
+TEST_F(AcceptanceTestTest, whatIsLeftIsSharedByTheDirectionsOfAllChannels) {
   evaluator.setBase({pull()});
   EXPECT_NEAR(leftPerDirection(evaluator), excess(evaluator) / (2 * 2 * 2), 1e-9);
   EXPECT_GT(leftPerDirection(evaluator), 100);

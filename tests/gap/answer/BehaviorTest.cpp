@@ -1,4 +1,4 @@
-#include "gap/answer/Behaviour.h"
+#include "gap/answer/Behavior.h"
 
 #include <gtest/gtest.h>
 
@@ -43,7 +43,7 @@ Mechanism onTwoFeet() {
   return robot;
 }
 
-TEST(BehaviourTest, saysWhatTheRunDid) {
+TEST(BehaviorTest, saysWhatTheRunDid) {
   const Mechanism robot = onTwoFeet();
   const Trial trial = seen(robot);
   const Evidence evidence({trial});
@@ -51,7 +51,7 @@ TEST(BehaviourTest, saysWhatTheRunDid) {
   Prediction nominal;
   for (const Signal& signal : trial.signals) nominal.values.push_back(signal.values);
   nominal.fell = true;
-  const std::vector<Behaviour> list = behaviours(evaluator, {nominal});
+  const std::vector<Behavior> list = behaviors(evaluator, {nominal});
   ASSERT_EQ(list.size(), 6u);
   const std::pair<const char*, double> wanted[] = {{"sway (RMS turning rate), walk", 0.2 / std::sqrt(2)},
                                                    {"largest tilt, walk", 0.1},
@@ -73,12 +73,12 @@ double measured(const std::string& what, const Trial& trial, const Mechanism& ro
   const Evaluator evaluator(robot, evidence);
   Prediction nominal;
   for (const Signal& signal : trial.signals) nominal.values.push_back(signal.values);
-  for (const Behaviour& line : behaviours(evaluator, {nominal}))
+  for (const Behavior& line : behaviors(evaluator, {nominal}))
     if (line.what == what + ", walk") return line.measured;
   return std::nan("");
 }
 
-TEST(BehaviourTest, aRobotFellThatTiltsByMoreThanARadian) {
+TEST(BehaviorTest, aRobotFellThatTiltsByMoreThanARadian) {
   const Mechanism robot = onTwoFeet();
   for (const double tilt : {0.3, 0.9, 1.1, 1.5}) {
     const Trial trial = seen(robot, tilt);
@@ -87,7 +87,7 @@ TEST(BehaviourTest, aRobotFellThatTiltsByMoreThanARadian) {
   }
 }
 
-TEST(BehaviourTest, aSpeedIsSaidOfARobotThatWentThirtyCentimetres) {
+TEST(BehaviorTest, aSpeedIsSaidOfARobotThatWentThirtyCentimetres) {
   const Mechanism robot = onTwoFeet();
   EXPECT_NEAR(measured("mean speed", seen(robot, 0.1, 0.085), robot), 0.085, 1e-3);
   const Trial trial = seen(robot, 0.1, 0.07);
@@ -95,14 +95,14 @@ TEST(BehaviourTest, aSpeedIsSaidOfARobotThatWentThirtyCentimetres) {
   EXPECT_TRUE(std::isnan(measured("mean speed", trial, robot)));
 }
 
-TEST(BehaviourTest, aRunWithAFixedBaseHasNone) {
+TEST(BehaviorTest, aRunWithAFixedBaseHasNone) {
   const Mechanism arm = twoJointArm();
   const Evidence evidence({recorded(nominalPlant(arm), armTrial(arm, 2), 5e-4, 1)});
   const Evaluator evaluator(arm, evidence);
-  EXPECT_TRUE(behaviours(evaluator, {Prediction()}).empty());
+  EXPECT_TRUE(behaviors(evaluator, {Prediction()}).empty());
 }
 
-TEST(BehaviourTest, whatSteppedIsPlayedInOnePiece) {
+TEST(BehaviorTest, whatSteppedIsPlayedInOnePiece) {
   const Mechanism leg = standingLeg();
   Trial trial = legTrial(true, 3);
   Signal gyro{"gyro.y", SignalKind::gyro, -1, -1, 1, false, std::vector<double>(trial.cycles())};
@@ -116,7 +116,7 @@ TEST(BehaviourTest, whatSteppedIsPlayedInOnePiece) {
   const Evidence evidence({trial});
   Evaluator evaluator(leg, evidence);
   evaluator.setBase({});
-  const std::vector<Behaviour> list = behaviours(evaluator, {evaluator.basePrediction(0)});
+  const std::vector<Behavior> list = behaviors(evaluator, {evaluator.basePrediction(0)});
   ASSERT_EQ(list[0].what, "sway (RMS turning rate), arm");
   EXPECT_NEAR(list[0].nominal, list[0].measured, 1e-9);
   EXPECT_NEAR(list[0].corrected, list[0].measured, 1e-9);

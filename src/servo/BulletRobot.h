@@ -4,8 +4,8 @@
 
 #include "robot/Mechanism.h"
 #include "robot/SupplyRail.h"
+#include "servo/BulletMultiBody.h"
 #include "servo/RobotSimulation.h"
-#include "servo/ServoBody.h"
 #include "servo/ServoDrive.h"
 #include "simulation/physics/tree/BoundedSystem.h"
 
@@ -17,10 +17,10 @@ namespace plumbline::simulation {
 /// step, solved exactly with the forces at the end of the step, so stiff gains do not oscillate. Soles are
 /// boxes; every other link touches the ground with a ball of 3 cm about its centre of mass. The same calls
 /// give the same bytes.
-class ServoWorld : public RobotSimulation {
+class BulletRobot : public RobotSimulation {
 public:
   /// Errors: std::invalid_argument for a step or a rate that is not above zero.
-  explicit ServoWorld(const Mechanism& mechanism, const RobotSimulationOptions& config = {});
+  explicit BulletRobot(const Mechanism& mechanism, const RobotSimulationOptions& config = {});
 
   using RobotSimulation::setStiffness;
 
@@ -77,7 +77,7 @@ private:
   RobotSimulationOptions config_;
   int stepsPerCycle_;
   double h_;  ///< of a step [s]
-  std::unique_ptr<ServoBody> body_;
+  std::unique_ptr<BulletMultiBody> body_;
   std::vector<ServoDrive> drives_;
   SupplyRail supply_;
   std::vector<double> loads_, frictions_;  ///< extra torques on links; of dry friction, last step [N m]

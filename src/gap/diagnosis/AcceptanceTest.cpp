@@ -1,4 +1,4 @@
-#include "gap/diagnosis/Merit.h"
+#include "gap/diagnosis/AcceptanceTest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -8,15 +8,15 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double leastVisible =
-    0.7;                         // least change over noise, in some channel, of a cause that earns its place
-constexpr double leastZ = 3;     // of the gain over blocks
-constexpr double oneWay = 0.75;  // of the gains' absolute values
-constexpr double leastShare = 0.05;  // of what is unexplained
+    0.7;                      // least change over noise, in some channel, of a cause that earns its place
+constexpr double leastZ = 3;  // of the gain over blocks
+constexpr double minSameSignShare = 0.75;  // of the gains' absolute values
+constexpr double leastShare = 0.05;        // of what is unexplained
 constexpr double directionsPerChannel = 2;
 constexpr double lowerShare = 0.98, lowerWithin = 0.02;  // of the worst channel
 
-/// Change that the evaluator's present base made against earlier predictions: the largest, over noise, of any
-/// channel in any run.
+/// The largest change of any channel in any run, in units of its noise: the present base compared with
+/// earlier predictions.
 double largestChange(const Evaluator& evaluator, const std::vector<Prediction>& before) {
   double most = 0;
   for (std::size_t t = 0; t < before.size(); ++t)
@@ -40,7 +40,7 @@ bool consistent(const Fit& before, const Fit& after) {
     shareSquares += part * part;
   }
   return sum > 0 && (sum >= leastZ * std::sqrt(squares) || share >= leastZ * std::sqrt(shareSquares) ||
-                     sum >= oneWay * sizes);
+                     sum >= minSameSignShare * sizes);
 }
 
 }  // namespace
@@ -71,8 +71,9 @@ AcceptanceTest::AcceptanceTest(const Evaluator& evaluator)
     predictions_.push_back(evaluator.basePrediction(t));
 }
 
-/// What engines do otherwise in all channels is much, together: another cause may tell in one alone. At a
-/// joint that has a cause already, what is left there may be what that does otherwise.
+/// Differences between engines add up over all channels, so a cause that shows in one channel may be judged
+/// in that channel alone. This does not hold at a joint that has a cause: its remainder may be that cause,
+/// acting differently in another engine.
 bool AcceptanceTest::explainsWorst(const Evaluator& evaluator, double leastPart) const {
   if (worstHasCause_) return false;
   double left = 0;

@@ -1,4 +1,4 @@
-#include "servo/ServoWorld.h"
+#include "servo/BulletRobot.h"
 
 #include <gtest/gtest.h>
 
@@ -55,16 +55,16 @@ Mechanism pendulum() {
 }
 constexpr double rodInertia = 0.2 * 0.4 * 0.4 / 3;  ///< about the hinge
 
-ServoWorld onFixedBase(const Mechanism& robot, double step = 0.002) {
+BulletRobot onFixedBase(const Mechanism& robot, double step = 0.002) {
   RobotSimulationOptions config;
   config.fixedBase = true;
   config.stepSeconds = step;
-  return ServoWorld(robot, config);
+  return BulletRobot(robot, config);
 }
 
-TEST(ServoWorld, theNaoStandsAndItsSensorsSaySo) {
+TEST(BulletRobot, theNaoStandsAndItsSensorsSaySo) {
   const Mechanism robot = nao();
-  ServoWorld world(robot);
+  BulletRobot world(robot);
   world.restart(bent(robot));
   for (int i = 0; i < 300; ++i) {
     world.command(bent(robot));
@@ -89,10 +89,10 @@ TEST(ServoWorld, theNaoStandsAndItsSensorsSaySo) {
   EXPECT_GT(std::abs(r.torque[at(knee)]), 0.3);
 }
 
-TEST(ServoWorld, aPushMovesItAndALargeOneFellsIt) {
+TEST(BulletRobot, aPushMovesItAndALargeOneFellsIt) {
   const Mechanism robot = nao();
   const auto tilt = [&robot](double newton) {
-    ServoWorld world(robot);
+    BulletRobot world(robot);
     world.restart(bent(robot));
     double least = 1;
     for (int i = 0; i < 300; ++i) {
@@ -109,9 +109,9 @@ TEST(ServoWorld, aPushMovesItAndALargeOneFellsIt) {
   EXPECT_LT(tilt(80), 0.5);
 }
 
-TEST(ServoWorld, liesOnTheGroundWhenItHasFallen) {
+TEST(BulletRobot, liesOnTheGroundWhenItHasFallen) {
   const Mechanism robot = nao();
-  ServoWorld world(robot);
+  BulletRobot world(robot);
   world.restart(translation(0, 0, 0.6) * rotationX(1), bent(robot));
   for (int i = 0; i < 200; ++i) world.step();
   EXPECT_GT(world.base().pose.translation().z(), 0.0);
@@ -119,9 +119,9 @@ TEST(ServoWorld, liesOnTheGroundWhenItHasFallen) {
   for (const double q : world.readings().position) EXPECT_TRUE(std::isfinite(q));
 }
 
-TEST(ServoWorld, theSameCallsGiveTheSameBytes) {
+TEST(BulletRobot, theSameCallsGiveTheSameBytes) {
   const Mechanism robot = nao();
-  const auto story = [&robot](ServoWorld& world) {
+  const auto story = [&robot](BulletRobot& world) {
     world.restart(bent(robot), 0.3);
     std::vector<double> q = bent(robot);
     for (int i = 0; i < 100; ++i) {
@@ -135,16 +135,16 @@ TEST(ServoWorld, theSameCallsGiveTheSameBytes) {
     for (const double value : world.readings().acc) all.push_back(value);
     return all;
   };
-  ServoWorld world(robot);
+  BulletRobot world(robot);
   const auto first = story(world);
   EXPECT_EQ(story(world), first);
-  ServoWorld fresh(robot);
+  BulletRobot fresh(robot);
   EXPECT_EQ(story(fresh), first);
 }
 
-TEST(ServoWorld, anUndrivenRodSwingsAsAPendulum) {
+TEST(BulletRobot, anUndrivenRodSwingsAsAPendulum) {
   Mechanism robot = pendulum();
-  ServoWorld world = onFixedBase(robot, 1e-4);
+  BulletRobot world = onFixedBase(robot, 1e-4);
   world.restart(Pose3::Identity(), {0.02});
   world.setStiffness(0);
   for (int i = 0; i < 1000; ++i) world.step();
@@ -152,12 +152,12 @@ TEST(ServoWorld, anUndrivenRodSwingsAsAPendulum) {
   EXPECT_NEAR(world.readings().position[0], 0.02 * std::cos(omega * 10), 2e-4);
 }
 
-TEST(ServoWorld, armatureAddsToTheJointsInertia) {
+TEST(BulletRobot, armatureAddsToTheJointsInertia) {
   Mechanism robot = pendulum();
   robot.gravity.setZero();
   robot.joints[0].servo.kp = 1;
   robot.joints[0].servo.armature = 0.05;
-  ServoWorld world = onFixedBase(robot, 1e-4);
+  BulletRobot world = onFixedBase(robot, 1e-4);
   world.restart(Pose3::Identity(), {0.1});
   world.command({0});
   for (int i = 0; i < 100; ++i) world.step();
@@ -165,14 +165,14 @@ TEST(ServoWorld, armatureAddsToTheJointsInertia) {
   EXPECT_NEAR(world.readings().position[0], 0.1 * std::cos(omega), 1e-4);
 }
 
-TEST(ServoWorld, torqueHasItsLimitAndFadesNearTheTopSpeed) {
+TEST(BulletRobot, torqueHasItsLimitAndFadesNearTheTopSpeed) {
   Mechanism robot = pendulum();
   robot.gravity.setZero();
   robot.joints[0].upper = 1000;
   robot.joints[0].maxTorque = 0.05;
   robot.joints[0].maxSpeed = 2;
   robot.joints[0].servo.kp = 1000;
-  ServoWorld world = onFixedBase(robot);
+  BulletRobot world = onFixedBase(robot);
   world.restart(Pose3::Identity(), {0});
   world.command({500});
   world.step();
@@ -187,7 +187,7 @@ TEST(ServoWorld, torqueHasItsLimitAndFadesNearTheTopSpeed) {
   EXPECT_LT(world.readings().torque[0], 0.005);
 }
 
-TEST(ServoWorld, aDcMotorTurnsAsFastAsItsVoltageLets) {
+TEST(BulletRobot, aDcMotorTurnsAsFastAsItsVoltageLets) {
   Mechanism robot = pendulum();
   robot.gravity.setZero();
   robot.joints[0].upper = 1000;
@@ -202,18 +202,18 @@ TEST(ServoWorld, aDcMotorTurnsAsFastAsItsVoltageLets) {
   servo.kp = servo.kt * servo.vin * servo.errorGain * servo.kpFirmware / servo.R;
   servo.kd = servo.kt * servo.kt / servo.R;
   robot.joints[0].maxTorque = 10;
-  ServoWorld world = onFixedBase(robot);
+  BulletRobot world = onFixedBase(robot);
   world.restart(Pose3::Identity(), {0});
   world.command({900});
   for (int i = 0; i < 300; ++i) world.step();
   EXPECT_NEAR(world.readings().velocity[0], 6 * 0.5 / 0.3, 0.01) << "duty times supply by kt";
 }
 
-TEST(ServoWorld, aDrivenJointFollowsItsDriver) {
+TEST(BulletRobot, aDrivenJointFollowsItsDriver) {
   const Mechanism robot = nao();
   const int driven = robot.jointIndex("RHipYawPitch"), driver = robot.jointIndex("LHipYawPitch");
   ASSERT_EQ(robot.joints[at(driven)].driver, driver);
-  ServoWorld world = onFixedBase(robot);
+  BulletRobot world = onFixedBase(robot);
   std::vector<double> q(at(robot.numJoints()), 0);
   world.restart(translation(0, 0, 1), q);
   q[at(driver)] = -0.5;
@@ -225,11 +225,11 @@ TEST(ServoWorld, aDrivenJointFollowsItsDriver) {
   EXPECT_NEAR(world.readings().position[at(driver)], -0.5, 0.05);
 }
 
-TEST(ServoWorld, commandsShowInTheNextCycle) {
+TEST(BulletRobot, commandsShowInTheNextCycle) {
   Mechanism robot = pendulum();
   robot.joints[0].servo.kp = 50;
   robot.joints[0].servo.kd = 1;
-  ServoWorld world = onFixedBase(robot);
+  BulletRobot world = onFixedBase(robot);
   world.restart(Pose3::Identity(), {0});
   world.command({0.3});
   EXPECT_EQ(world.readings().position[0], 0) << "what is read at the start of the cycle";
@@ -237,19 +237,19 @@ TEST(ServoWorld, commandsShowInTheNextCycle) {
   EXPECT_GT(world.readings().position[0], 0.001);
 }
 
-TEST(ServoWorld, stopsHoldAndAnyRobotRuns) {
+TEST(BulletRobot, stopsHoldAndAnyRobotRuns) {
   Mechanism robot = pendulum();
   robot.joints[0].upper = 0.2;
   robot.joints[0].servo.kp = 50;
   robot.joints[0].servo.kd = 1;
-  ServoWorld world = onFixedBase(robot);
+  BulletRobot world = onFixedBase(robot);
   world.restart(Pose3::Identity(), {0});
   world.command({1});
   for (int i = 0; i < 100; ++i) world.step();
   EXPECT_NEAR(world.readings().position[0], 0.2, 0.01);
   for (const char* name : {"so101", "xl330_pendulum"}) {
     const Mechanism other = findMechanism(name);
-    ServoWorld bench = onFixedBase(other);
+    BulletRobot bench = onFixedBase(other);
     std::vector<double> q(at(other.numJoints()), 0.1);
     bench.restart(translation(0, 0, 1), std::vector<double>(q.size(), 0));
     for (int i = 0; i < 300; ++i) {
@@ -261,12 +261,12 @@ TEST(ServoWorld, stopsHoldAndAnyRobotRuns) {
   }
 }
 
-TEST(ServoWorld, feetSlipBeyondTheirFriction) {
+TEST(BulletRobot, feetSlipBeyondTheirFriction) {
   const Mechanism robot = nao();
   const auto way = [&robot](double friction) {
     RobotSimulationOptions config;
     config.groundFriction = friction;
-    ServoWorld world(robot, config);
+    BulletRobot world(robot, config);
     world.restart(bent(robot));
     for (int i = 0; i < 100; ++i) {
       if (i == 50) world.push({0, 8, 0}, 0.5);
@@ -278,17 +278,17 @@ TEST(ServoWorld, feetSlipBeyondTheirFriction) {
   EXPECT_GT(way(0.05), way(0.8) + 0.05);
 }
 
-TEST(ServoWorld, refusesWhatMakesNoSense) {
+TEST(BulletRobot, refusesWhatMakesNoSense) {
   const Mechanism robot = pendulum();
   RobotSimulationOptions config;
   config.stepSeconds = 0;
-  EXPECT_THROW(ServoWorld(robot, config), std::invalid_argument);
-  ServoWorld world = onFixedBase(robot);
+  EXPECT_THROW(BulletRobot(robot, config), std::invalid_argument);
+  BulletRobot world = onFixedBase(robot);
   try {
     world.command({1, 2});
     FAIL();
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "servo world: 2 targets for 1 joints");
+    EXPECT_STREQ(error.what(), "Bullet robot: 2 targets for 1 joints");
   }
   EXPECT_THROW(world.command({std::nan("")}), std::invalid_argument);
   EXPECT_THROW(world.restart(Pose3::Identity(), {}), std::invalid_argument);
@@ -298,7 +298,7 @@ TEST(ServoWorld, refusesWhatMakesNoSense) {
 
 /// The rod held at its base with a servo of kp 5, kd 0.1, armature 0.001, and what `change` does to its
 /// drive; after 3 s at that command.
-ServoWorld rested(double target, const std::function<void(JointPlant&)>& change) {
+BulletRobot rested(double target, const std::function<void(JointPlant&)>& change) {
   Mechanism robot = pendulum();
   robot.joints[0].servo.kp = 5;
   robot.joints[0].servo.kd = 0.1;
@@ -308,7 +308,7 @@ ServoWorld rested(double target, const std::function<void(JointPlant&)>& change)
   config.stepSeconds = 0.0005;
   config.drives = {JointPlant::nominal(robot.joints[0])};
   change(config.drives[0]);
-  ServoWorld world(robot, config);
+  BulletRobot world(robot, config);
   for (int i = 0; i < 800; ++i) {
     world.command({target * std::min(1.0, i / 200.0)});
     world.step();
@@ -319,7 +319,7 @@ ServoWorld rested(double target, const std::function<void(JointPlant&)>& change)
 /// Of the rod's weight about the hinge.
 double weight(double q) { return 0.2 * 9.81 * 0.2 * std::sin(q); }
 
-TEST(ServoWorld, aDrivesFrictionHoldsWhatItCan) {
+TEST(BulletRobot, aDrivesFrictionHoldsWhatItCan) {
   // 5 (0.06 - q) = weight(q) without friction: at 0.0556 rad. With it the joint sticks where it started.
   EXPECT_NEAR(rested(0.06, [](JointPlant&) {}).readings().position[0], 0.0556, 2e-4);
   EXPECT_NEAR(rested(0.06, [](JointPlant& d) { d.coulomb = 0.31; }).readings().position[0], 0, 1e-4);
@@ -328,38 +328,38 @@ TEST(ServoWorld, aDrivesFrictionHoldsWhatItCan) {
       << "it stops where the rest is as large as the friction, less what the rod's swing takes it on";
 }
 
-TEST(ServoWorld, aSoftGearGivesWayBehindItsEncoder) {
-  const ServoWorld world = rested(0.5, [](JointPlant& d) { d.compliance = 0.2; });
+TEST(BulletRobot, aSoftGearGivesWayBehindItsEncoder) {
+  const BulletRobot world = rested(0.5, [](JointPlant& d) { d.compliance = 0.2; });
   const double link = world.readings().position[0], motor = world.encoder(0);
   EXPECT_NEAR(motor - link, 0.2 * weight(link), 1e-4);
   EXPECT_NEAR(5 * (0.5 - motor), weight(link), 1e-4);
 }
 
-TEST(ServoWorld, playLetsTheLinkHangAtItsEnd) {
+TEST(BulletRobot, playLetsTheLinkHangAtItsEnd) {
   const auto play = [](JointPlant& d) { d.backlash = 0.1; };
-  const ServoWorld up = rested(0.5, play), down = rested(-0.5, play);
+  const BulletRobot up = rested(0.5, play), down = rested(-0.5, play);
   EXPECT_NEAR(up.encoder(0) - up.readings().position[0], 0.05, 5e-4);
   EXPECT_NEAR(down.encoder(0) - down.readings().position[0], -0.05, 5e-4);
-  const ServoWorld seen = rested(0.5, [&](JointPlant& d) {
+  const BulletRobot seen = rested(0.5, [&](JointPlant& d) {
     play(d);
     d.linkEncoder = true;
   });
   EXPECT_DOUBLE_EQ(seen.encoder(0), seen.readings().position[0]);
 }
 
-TEST(ServoWorld, drivesBrakePushAndAreLoaded) {
+TEST(BulletRobot, drivesBrakePushAndAreLoaded) {
   EXPECT_NEAR(rested(0, [](JointPlant& d) { d.biasForce = 0.2; }).readings().position[0], 0.2 / (5 + 0.3924),
               1e-4);
   const auto steady = [](JointPlant& d) { d.torques = {[](double, double) { return 0.2; }}; };
   EXPECT_EQ(rested(0, steady).readings().position[0],
             rested(0, [](JointPlant& d) { d.biasForce = 0.2; }).readings().position[0]);
-  ServoWorld loaded = rested(0, [](JointPlant&) {});
+  BulletRobot loaded = rested(0, [](JointPlant&) {});
   loaded.load(0, -0.2);
   for (int i = 0; i < 300; ++i) loaded.step();
   EXPECT_NEAR(loaded.readings().position[0], -0.2 / (5 + 0.3924), 1e-4);
   // Without a servo the rod swings about the hinge by I q'' = -c q' - m g l q, with I of rod and rotor.
   const double c = 0.01;
-  ServoWorld swinging = rested(0, [c](JointPlant& d) {
+  BulletRobot swinging = rested(0, [c](JointPlant& d) {
     d.servo.kp = d.servo.kd = 0;
     d.viscous = c;
   });
@@ -371,14 +371,14 @@ TEST(ServoWorld, drivesBrakePushAndAreLoaded) {
               start * std::exp(-rate) * (std::cos(w) + rate / w * std::sin(w)), 2e-4);
 }
 
-TEST(ServoWorld, wantsADriveForEveryJoint) {
+TEST(BulletRobot, wantsADriveForEveryJoint) {
   RobotSimulationOptions config;
   config.drives.resize(3);
   try {
-    const ServoWorld world(pendulum(), config);
+    const BulletRobot world(pendulum(), config);
     ADD_FAILURE() << "it took 3 drives for 1 joint";
   } catch (const std::invalid_argument& error) {
-    EXPECT_STREQ(error.what(), "servo world: 3 drives for 1 joints");
+    EXPECT_STREQ(error.what(), "Bullet robot: 3 drives for 1 joints");
   }
 }
 

@@ -1,4 +1,4 @@
-#include "walking/engine/ServoDriver.h"
+#include "walking/engine/PositionServoAdapter.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,7 +12,7 @@ constexpr double leastForce = 1;              // on a foot that touches the grou
 
 }  // namespace
 
-ServoDriver::ServoDriver(const Mechanism& mechanism)
+PositionServoAdapter::PositionServoAdapter(const Mechanism& mechanism)
     : mechanism_(mechanism), robot_(mechanism_), filter_(accelerometerShare), load_(robot_.model()) {
   if (mechanism_.feet.size() != 2)
     throw std::invalid_argument("robot " + mechanism_.name + " has " +
@@ -23,7 +23,7 @@ ServoDriver::ServoDriver(const Mechanism& mechanism)
   reset();
 }
 
-void ServoDriver::reset() {
+void PositionServoAdapter::reset() {
   filter_.reset();
   begun_ = false;
   share_ = {0.5, 0.5};
@@ -31,7 +31,7 @@ void ServoDriver::reset() {
   command_.stiffness.assign(mechanism_.joints.size(), 1);
 }
 
-WalkSensors ServoDriver::sense(const ServoMeasurement& measured) {
+WalkSensors PositionServoAdapter::sense(const ServoMeasurement& measured) {
   WalkSensors sensors;
   sensors.dt = cycle();
   sensors.angles = robot_.toModel(measured.position);
@@ -57,8 +57,8 @@ WalkSensors ServoDriver::sense(const ServoMeasurement& measured) {
   return sensors;
 }
 
-const ServoCommand& ServoDriver::command(const WalkOutput& output, const WalkParameters& p,
-                                         const WalkSensors& sensors) {
+const ServoCommand& PositionServoAdapter::command(const WalkOutput& output, const WalkParameters& p,
+                                                  const WalkSensors& sensors) {
   // The weight goes from foot to foot within a few cycles.
   constexpr double shiftTime = 0.03;  // [s]
   const double left = output.support == Support::both ? 0.5 : output.support == Support::left ? 1 : 0;

@@ -1,4 +1,4 @@
-#include "gap/answer/Behaviour.h"
+#include "gap/answer/Behavior.h"
 
 #include <algorithm>
 #include <cmath>
@@ -94,8 +94,8 @@ Prediction inOnePiece(const Trial& trial, const Explanation& causes, const Predi
 
 }  // namespace
 
-std::vector<Behaviour> behaviours(const Evaluator& evaluator, const std::vector<Prediction>& nominal) {
-  std::vector<Behaviour> list;
+std::vector<Behavior> behaviors(const Evaluator& evaluator, const std::vector<Prediction>& nominal) {
+  std::vector<Behavior> list;
   const auto& trials = evaluator.evidence().trials();
   for (std::size_t t = 0; t < trials.size(); ++t) {
     const Trial& trial = trials[t];

@@ -8,7 +8,7 @@
 
 namespace plumbline::walking {
 
-/// What a robot with position servos tells in a control cycle, in the order of its Mechanism.
+/// What a robot with position servos measures in a control cycle, in the order of its Mechanism.
 struct ServoMeasurement {
   std::vector<double> position;                ///< per joint [rad]
   Vec3 gyro = Vec3::Zero();                    ///< in the sensor's axes [rad/s]
@@ -16,7 +16,7 @@ struct ServoMeasurement {
   std::vector<std::vector<double>> footForce;  ///< per foot and sensor [N]
 };
 
-/// What it is told.
+/// Command to the servos.
 struct ServoCommand {
   std::vector<double> target;     ///< per joint [rad]
   std::vector<double> stiffness;  ///< per joint, 0 .. 1
@@ -25,19 +25,19 @@ struct ServoCommand {
 /// Between the walk and any robot with position servos, simulated or not: joint targets in, joint angles, IMU
 /// and the forces on the soles out. A servo deviates under the robot's weight by torque / kp and lags by kd /
 /// kp; its target compensates the shares servo.loadLead and servo.rateLead of these.
-class ServoDriver {
+class PositionServoAdapter {
 public:
   /// Throws std::invalid_argument for a robot that is no humanoid (Humanoid) or has other than two feet.
-  explicit ServoDriver(const Mechanism& mechanism);
-  ServoDriver(const ServoDriver&) = delete;
-  ServoDriver& operator=(const ServoDriver&) = delete;
+  explicit PositionServoAdapter(const Mechanism& mechanism);
+  PositionServoAdapter(const PositionServoAdapter&) = delete;
+  PositionServoAdapter& operator=(const PositionServoAdapter&) = delete;
 
   const Humanoid& humanoid() const { return robot_; }
   double cycle() const { return 1 / mechanism_.controlHz; }  ///< [s]
 
   void reset();
   WalkSensors sense(const ServoMeasurement& measured);
-  /// p: the walk's parameters now; sensors: what the walk was told.
+  /// p: the walk's parameters now; sensors: as the walk got them.
   const ServoCommand& command(const WalkOutput& output, const WalkParameters& p, const WalkSensors& sensors);
 
 private:

@@ -1,4 +1,4 @@
-#include "gap/inference/Further.h"
+#include "gap/inference/AllJointFit.h"
 
 #include <algorithm>
 #include <cstdio>
@@ -19,7 +19,7 @@ constexpr double worthSaying = 0.02;
 /// the least starts of a search: decision 17.
 constexpr Shrinkage prior{.own = 3e-3, .common = 1e-3};
 
-/// What identification fits in every joint, and the kinds named; values begin at those named.
+/// The kinds that identification fits in every joint, and those named; values start at those named.
 PerJoint startAt(const Mechanism& robot, const Explanation& named) {
   std::vector<const Effect*> kinds = actuatorEffects();
   for (const Effect* kind : kindsAtJoints(named))
@@ -33,7 +33,7 @@ PerJoint startAt(const Mechanism& robot, const Explanation& named) {
 
 }  // namespace
 
-std::string Further::sentence() const {
+std::string AllJointFit::sentence() const {
   if (closed <= worthSaying) return "";
   char text[160];
   std::snprintf(text, sizeof text,
@@ -42,10 +42,11 @@ std::string Further::sentence() const {
   return text;
 }
 
-Further furtherOf(const Mechanism& robot, const std::vector<Trial>& trials, const Explanation& named,
-                  const std::vector<Explanation>& namedWithout, const std::vector<RecordingLeft>& leftOut,
-                  int jobs, const std::function<void(double)>& progress) {
-  Further further;
+AllJointFit fitOfAllJoints(const Mechanism& robot, const std::vector<Trial>& trials, const Explanation& named,
+                           const std::vector<Explanation>& namedWithout,
+                           const std::vector<RecordingLeft>& leftOut, int jobs,
+                           const std::function<void(double)>& progress) {
+  AllJointFit further;
   const Groups groups(trials);
   if (std::ranges::any_of(trials, &Trial::freeBase)) return further;
   const Replayer replayer(robot, groups, jobs,

@@ -8,10 +8,10 @@
 
 namespace plumbline::gap {
 
-/// One value of each actuator effect (actuatorEffects), and of each kind named, in every joint, all fitted at
-/// once. It says how much of the gap a model could still take in, not where it comes from: so many values
-/// also fit what they do not cause.
-struct Further {
+/// An upper bound of what a model could explain: one value of each actuator effect (actuatorEffects), and of
+/// each kind named, in every joint, all fitted at once. It says how much of the gap a model could still take
+/// in, not where it comes from: so many values also fit what they do not cause.
+struct AllJointFit {
   std::size_t parameters = 0;
   double closed = 0;  ///< of recordings left out: mean share that it closes more; negative: less
   std::vector<RecordingLeft> leftOut;  ///< what it leaves of each, without its group
@@ -26,8 +26,9 @@ struct Further {
 /// Each group is left out in turn; the values are fitted to the others (fitPerJoint). named: where values
 /// begin; namedWithout: the same as found without each group; leftOut: what the answer left of recordings
 /// left out. Only for robots whose base is fixed: empty otherwise. progress: share done.
-Further furtherOf(const Mechanism& robot, const std::vector<Trial>& trials, const Explanation& named,
-                  const std::vector<Explanation>& namedWithout, const std::vector<RecordingLeft>& leftOut,
-                  int jobs, const std::function<void(double)>& progress = {});
+AllJointFit fitOfAllJoints(const Mechanism& robot, const std::vector<Trial>& trials, const Explanation& named,
+                           const std::vector<Explanation>& namedWithout,
+                           const std::vector<RecordingLeft>& leftOut, int jobs,
+                           const std::function<void(double)>& progress = {});
 
 }  // namespace plumbline::gap

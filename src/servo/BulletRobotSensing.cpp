@@ -1,19 +1,19 @@
-// What a ServoWorld's sensors read.
+// What a BulletRobot's sensors read.
 #include "math/Index.h"
+#include "servo/BulletRobot.h"
 #include "servo/FootSensors.h"
-#include "servo/ServoWorld.h"
 
 namespace plumbline::simulation {
 
-double ServoWorld::encoder(int joint) const {
+double BulletRobot::encoder(int joint) const {
   return drives_.at(at(joint)).measured(motorSide(joint), linkSide(joint));
 }
 
-double ServoWorld::encoderSpeed(int joint) const {
+double BulletRobot::encoderSpeed(int joint) const {
   return drives_.at(at(joint)).drive().linkEncoder ? linkSide(joint).speed : motorSide(joint).speed;
 }
 
-void ServoWorld::senseImu() {
+void BulletRobot::senseImu() {
   const BodyState& carrier = link(mechanism_.imu.link);
   imuVelocity_ = carrier.linearVelocity +
                  carrier.angularVelocity.cross(carrier.pose.linear() * mechanism_.imu.accelerometer);
@@ -21,7 +21,7 @@ void ServoWorld::senseImu() {
       (carrier.pose.linear() * rotationOfRpy(mechanism_.imu.rpy)).transpose() * carrier.angularVelocity;
 }
 
-void ServoWorld::sense() {
+void BulletRobot::sense() {
   readings_.time = static_cast<double>(cycles_) * stepsPerCycle_ * h_;
   readings_.position.resize(drives_.size());
   readings_.velocity.resize(drives_.size());
@@ -36,7 +36,7 @@ void ServoWorld::sense() {
     readings_.footForce.push_back(footForces(static_cast<int>(f)));
 }
 
-std::vector<double> ServoWorld::footForces(int index) const {
+std::vector<double> BulletRobot::footForces(int index) const {
   const Mechanism::Foot& foot = mechanism_.feet[at(index)];
   const Mat3 toFoot = link(foot.link).pose.linear().transpose();
   double whole = 0;

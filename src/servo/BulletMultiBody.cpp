@@ -1,4 +1,4 @@
-#include "servo/ServoBody.h"
+#include "servo/BulletMultiBody.h"
 
 #include "math/Index.h"
 #include "simulation/physics/bullet/PrincipalAxes.h"
@@ -52,13 +52,13 @@ std::unique_ptr<btMultiBody> makeBody(const Mechanism& mechanism, const std::vec
 
 }  // namespace
 
-ServoBody::ServoBody(const Mechanism& mechanism, bool fixedBase)
+BulletMultiBody::BulletMultiBody(const Mechanism& mechanism, bool fixedBase)
     : T_link_com_(centresOf(mechanism)), body_(makeBody(mechanism, T_link_com_, fixedBase)), rowSet_(*body_) {
   for (const Mechanism::Link& link : mechanism.links) masses_.push_back(link.mass);
   place(Pose3::Identity(), std::vector<double>(at(mechanism.numJoints()), 0));
 }
 
-void ServoBody::place(const Pose3& T_world_base, const std::vector<double>& q) {
+void BulletMultiBody::place(const Pose3& T_world_base, const std::vector<double>& q) {
   body_->setBaseWorldTransform(fromPose3(T_world_base * T_link_com_[0]));
   for (std::size_t i = 0; i < q.size(); ++i) body_->setJointPos(static_cast<int>(i), q[i]);
   body_->clearVelocities();
@@ -66,7 +66,7 @@ void ServoBody::place(const Pose3& T_world_base, const std::vector<double>& q) {
   refresh();
 }
 
-void ServoBody::addForce(int link, const Vec3& force, const Vec3& point) {
+void BulletMultiBody::addForce(int link, const Vec3& force, const Vec3& point) {
   const Vec3 torque = (point - comState(link).pose.translation()).cross(force);
   if (link == 0) {
     body_->addBaseForce(fromVec3(force));
@@ -77,7 +77,7 @@ void ServoBody::addForce(int link, const Vec3& force, const Vec3& point) {
   }
 }
 
-void ServoBody::begin(const Vec3& gravity, double h) {
+void BulletMultiBody::begin(const Vec3& gravity, double h) {
   rowSet_.reset();
   for (std::size_t i = 0; i < masses_.size(); ++i)
     addForce(static_cast<int>(i), masses_[i] * gravity, comStates_[i].pose.translation());
@@ -85,14 +85,14 @@ void ServoBody::begin(const Vec3& gravity, double h) {
                                                               false, false);
 }
 
-void ServoBody::finish(const Eigen::VectorXd& impulses, double h) {
+void BulletMultiBody::finish(const Eigen::VectorXd& impulses, double h) {
   rowSet_.apply(impulses, *body_);
   body_->stepPositionsMultiDof(h);
   body_->clearForcesAndTorques();
   refresh();
 }
 
-void ServoBody::refresh() {
+void BulletMultiBody::refresh() {
   const int links = body_->getNumLinks();
   body_->forwardKinematics(scratchQ_, scratchV_);
   localVelocities_.resize(2 * links + 2);

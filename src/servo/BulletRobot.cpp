@@ -1,4 +1,4 @@
-#include "servo/ServoWorld.h"
+#include "servo/BulletRobot.h"
 
 #include <algorithm>
 #include <cmath>
@@ -22,11 +22,11 @@ constexpr double rotorMass =
 
 int stepsIn(double hz, double step) {
   if (!(step > 0) || !(hz > 0))
-    throw std::invalid_argument("servo world: the step and the control rate must be above zero");
+    throw std::invalid_argument("Bullet robot: the step and the control rate must be above zero");
   return std::max(1, static_cast<int>(std::ceil(1 / hz / step - 1e-9)));
 }
 
-/// Appends a rotor beside every joint whose motor turns apart from its link; motors: who turns what.
+/// Adds a rotor for every joint whose motor turns apart from its link; motors: which joint each motor turns.
 Mechanism withRotors(const Mechanism& robot, const std::vector<JointPlant>& drives,
                      std::vector<int>& motors) {
   Mechanism result = robot;
@@ -51,9 +51,9 @@ Mechanism withRotors(const Mechanism& robot, const std::vector<JointPlant>& driv
 
 }  // namespace
 
-MAKE_ROBOT_SIMULATION("bullet", ServoWorld)
+MAKE_ROBOT_SIMULATION("bullet", BulletRobot)
 
-ServoWorld::ServoWorld(const Mechanism& mechanism, const RobotSimulationOptions& config)
+BulletRobot::BulletRobot(const Mechanism& mechanism, const RobotSimulationOptions& config)
     : mechanism_(mechanism),
       config_(config),
       stepsPerCycle_(stepsIn(mechanism.controlHz, config.stepSeconds)),
@@ -61,7 +61,7 @@ ServoWorld::ServoWorld(const Mechanism& mechanism, const RobotSimulationOptions&
       supply_(config.drives) {
   const bool detailed = !config_.drives.empty();
   if (detailed && config_.drives.size() != mechanism_.joints.size())
-    throw std::invalid_argument("servo world: " + std::to_string(config_.drives.size()) + " drives for " +
+    throw std::invalid_argument("Bullet robot: " + std::to_string(config_.drives.size()) + " drives for " +
                                 std::to_string(mechanism_.numJoints()) + " joints");
   for (std::size_t i = 0; i < mechanism_.joints.size(); ++i)
     drives_.emplace_back(detailed ? config_.drives[i] : JointPlant::nominal(mechanism_.joints[i]), detailed);
@@ -91,12 +91,12 @@ ServoWorld::ServoWorld(const Mechanism& mechanism, const RobotSimulationOptions&
   restart(Pose3::Identity(), std::vector<double>(at(mechanism_.numJoints()), 0));
 }
 
-void ServoWorld::restart(const Pose3& T_world_base, const std::vector<double>& q) {
+void BulletRobot::restart(const Pose3& T_world_base, const std::vector<double>& q) {
   if (static_cast<int>(q.size()) != mechanism_.numJoints())
-    throw std::invalid_argument("servo world: " + std::to_string(q.size()) + " positions for " +
+    throw std::invalid_argument("Bullet robot: " + std::to_string(q.size()) + " positions for " +
                                 std::to_string(mechanism_.numJoints()) + " joints");
-  // A new multi-body is the one way to leave no trace of the past in it.
-  body_ = std::make_unique<ServoBody>(geared_, config_.fixedBase);
+  // Only a new multi-body has no trace of the past.
+  body_ = std::make_unique<BulletMultiBody>(geared_, config_.fixedBase);
   std::vector<double> start = q;
   for (std::size_t i = 0; i < q.size(); ++i)
     if (const Mechanism::Joint& joint = mechanism_.joints[i]; joint.driver >= 0)
@@ -118,7 +118,7 @@ void ServoWorld::restart(const Pose3& T_world_base, const std::vector<double>& q
                   (link(mechanism_.imu.link).pose.linear().transpose() * Vec3(-mechanism_.gravity));
 }
 
-void ServoWorld::restart(const std::vector<double>& q, double heading) {
+void BulletRobot::restart(const std::vector<double>& q, double heading) {
   restart(rotationZ(heading), q);
   double lowest = unbounded;
   for (const Point& point : points_)
@@ -126,28 +126,28 @@ void ServoWorld::restart(const std::vector<double>& q, double heading) {
   restart(translation(0, 0, -lowest) * rotationZ(heading), q);
 }
 
-void ServoWorld::command(const std::vector<double>& targets) {
+void BulletRobot::command(const std::vector<double>& targets) {
   if (targets.size() != drives_.size())
-    throw std::invalid_argument("servo world: " + std::to_string(targets.size()) + " targets for " +
+    throw std::invalid_argument("Bullet robot: " + std::to_string(targets.size()) + " targets for " +
                                 std::to_string(drives_.size()) + " joints");
   for (std::size_t i = 0; i < drives_.size(); ++i)
     if (!std::isfinite(targets[i]))
-      throw std::invalid_argument("servo world: target of " + mechanism_.joints[i].name + " is not finite");
+      throw std::invalid_argument("Bullet robot: target of " + mechanism_.joints[i].name + " is not finite");
   for (std::size_t i = 0; i < drives_.size(); ++i) drives_[i].command(targets[i]);
 }
 
-void ServoWorld::setStiffness(int joint, double stiffness) {
+void BulletRobot::setStiffness(int joint, double stiffness) {
   drives_.at(at(joint)).setStiffness(std::clamp(stiffness, 0.0, 1.0));
 }
 
-void ServoWorld::push(const Vec3& force, double seconds, int link) {
+void BulletRobot::push(const Vec3& force, double seconds, int link) {
   static_cast<void>(mechanism_.links.at(at(link)));
   pushForce_ = force;
   pushLink_ = link;
   pushSteps_ = std::lround(seconds / h_);
 }
 
-void ServoWorld::step() {
+void BulletRobot::step() {
   const Vec3 before = imuVelocity_;
   std::fill(torqueSum_.begin(), torqueSum_.end(), 0.0);
   for (int i = 0; i < stepsPerCycle_; ++i) substep();
@@ -160,7 +160,7 @@ void ServoWorld::step() {
   sense();
 }
 
-void ServoWorld::substep() {
+void BulletRobot::substep() {
   if (pushSteps_ > 0) {
     --pushSteps_;
     body_->addForce(pushLink_, pushForce_, link(pushLink_).pose * mechanism_.links[at(pushLink_)].com);
@@ -188,12 +188,12 @@ void ServoWorld::substep() {
   body_->finish(impulses_, h_);
 }
 
-void ServoWorld::addRow(const Row& row, int local) {
+void BulletRobot::addRow(const Row& row, int local) {
   body_->rows().place(local, static_cast<Eigen::Index>(rows_.size()));
   rows_.push_back(row);
 }
 
-void ServoWorld::addServoRow(int joint) {
+void BulletRobot::addServoRow(int joint) {
   const Mechanism::Joint& spec = mechanism_.joints[at(joint)];
   if (spec.driver >= 0) {
     const double gap = body_->position(joint) - spec.driven(body_->position(spec.driver));
@@ -205,7 +205,7 @@ void ServoWorld::addServoRow(int joint) {
 }
 
 /// A spring and a damper between motor and link, as contacts have them; with play it pushes only at its ends.
-void ServoWorld::addGearRow(int joint) {
+void BulletRobot::addGearRow(int joint) {
   if (motor(joint) == joint) return;
   const JointPlant& drive = drives_[at(joint)].drive();
   const double k = drive.compliance > 0 ? 1 / drive.compliance : drive.toothStiffness;
@@ -222,7 +222,7 @@ void ServoWorld::addGearRow(int joint) {
 }
 
 /// Both at the motor.
-void ServoWorld::addFrictionRows(int joint) {
+void BulletRobot::addFrictionRows(int joint) {
   const double viscous = drives_[at(joint)].drive().viscous;
   const DryFriction dry = drives_[at(joint)].dryLimit();
   if (viscous > 0)
@@ -233,7 +233,7 @@ void ServoWorld::addFrictionRows(int joint) {
            body_->addJointRow(motor(joint)));
 }
 
-void ServoWorld::addStopRow(int joint) {
+void BulletRobot::addStopRow(int joint) {
   const Mechanism::Joint& spec = mechanism_.joints[at(joint)];
   if (spec.driver >= 0) return;
   const double q = body_->position(joint);
@@ -244,7 +244,7 @@ void ServoWorld::addStopRow(int joint) {
          body_->addJointRow(joint));
 }
 
-void ServoWorld::addContactRows(int index) {
+void BulletRobot::addContactRows(int index) {
   Point& point = points_[at(index)];
   point.force.setZero();
   point.world = link(point.link).pose * point.local - Vec3(0, 0, point.radius);
@@ -260,7 +260,7 @@ void ServoWorld::addContactRows(int index) {
 }
 
 /// impulse = h (offset - slope v) + rotor (v before - v), as a row v + impulse / (h slope + rotor) = wanted.
-void ServoWorld::setLaw(std::size_t row) {
+void BulletRobot::setLaw(std::size_t row) {
   const int joint = rows_[row].index;
   const ServoDrive& drive = drives_[at(joint)];
   const double rotor = std::max(drive.rotor(), leastRotor);
@@ -272,7 +272,7 @@ void ServoWorld::setLaw(std::size_t row) {
   rows_[row].wanted = soft * (h_ * drive.offset() + rotor * drive.speedAtBegin());
 }
 
-void ServoWorld::solve() {
+void BulletRobot::solve() {
   system_.reset(static_cast<Eigen::Index>(rows_.size()));
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     const auto i = static_cast<Eigen::Index>(r);
@@ -292,8 +292,8 @@ void ServoWorld::solve() {
   impulses_ = system_.solution();
 }
 
-/// Gives servos that would need more than they have their limit; whether any did.
-bool ServoWorld::limitServos() {
+/// Limits servos that would need more torque than they have; returns whether there were any.
+bool BulletRobot::limitServos() {
   bool changed = false;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (rows_[r].kind != Row::Kind::servo) continue;
@@ -306,8 +306,8 @@ bool ServoWorld::limitServos() {
   return changed;
 }
 
-/// Keeps friction within its cone; whether that changed anything.
-bool ServoWorld::limitFriction() {
+/// Keeps friction within its cone; returns whether that changed anything.
+bool BulletRobot::limitFriction() {
   bool changed = false;
   for (std::size_t r = 0; r < rows_.size(); ++r) {
     if (rows_[r].kind != Row::Kind::push) continue;
@@ -327,7 +327,7 @@ bool ServoWorld::limitFriction() {
   return changed;
 }
 
-void ServoWorld::takeForces() {
+void BulletRobot::takeForces() {
   frictions_.assign(drives_.size(), 0);
   double torques = 0;
   for (std::size_t r = 0; r < rows_.size(); ++r)
@@ -345,16 +345,16 @@ void ServoWorld::takeForces() {
       torques += std::abs(drives_[at(row.index)].torque(velocity));
     }
   }
-  if (!supply_.sags()) return;
+  if (!supply_.hasVoltageDrop()) return;
   supply_.take(torques, h_);
   for (ServoDrive& drive : drives_) drive.setSupply(supply_.left(drive.drive()));
 }
 
-ServoDrive::Side ServoWorld::motorSide(int joint) const {
+ServoDrive::Side BulletRobot::motorSide(int joint) const {
   return {body_->position(motor(joint)), body_->velocity(motor(joint))};
 }
 
-ServoDrive::Side ServoWorld::linkSide(int joint) const {
+ServoDrive::Side BulletRobot::linkSide(int joint) const {
   return {body_->position(joint), body_->velocity(joint)};
 }
 

@@ -11,9 +11,9 @@ namespace plumbline::simulation {
 
 /// A Mechanism as one btMultiBody of Bullet's: link i of the mechanism is Bullet's link i-1, whose frame is
 /// at the centre of mass in the principal axes; joint i is Bullet's joint i.
-class ServoBody {
+class BulletMultiBody {
 public:
-  ServoBody(const Mechanism& mechanism, bool fixedBase);
+  BulletMultiBody(const Mechanism& mechanism, bool fixedBase);
 
   void place(const Pose3& T_world_base, const std::vector<double>& q);
   double position(int joint) const { return body_->getJointPos(joint); }

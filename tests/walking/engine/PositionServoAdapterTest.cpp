@@ -1,11 +1,11 @@
-#include "walking/engine/ServoDriver.h"
+#include "walking/engine/PositionServoAdapter.h"
 
 #include <gtest/gtest.h>
 
 #include <cmath>
 
 #include "robot/MechanismFile.h"
-#include "servo/ServoWorld.h"
+#include "servo/BulletRobot.h"
 
 namespace plumbline::walking {
 namespace {
@@ -13,7 +13,7 @@ namespace {
 class Driver : public testing::Test {
 protected:
   const Mechanism nao = findMechanism("nao_v5");
-  ServoDriver driver{nao};
+  PositionServoAdapter driver{nao};
   WalkParameters p;
 
   WalkOutput standing() const {
@@ -83,7 +83,7 @@ TEST_F(Driver, theTorsosAnglesFollowGravityWithinSecondsAndNotWithinCycles) {
 /// The torques that hold the robot, told by statics, are those that the servos are found to give.
 TEST_F(Driver, loadIsWhatTheServosCarry) {
   const WalkOutput output = standing();
-  simulation::ServoWorld world(nao);
+  simulation::BulletRobot world(nao);
   const std::vector<double> posture = driver.humanoid().toMechanism(output.angles);
   world.restart(posture);
   world.command(posture);
@@ -104,7 +104,7 @@ TEST_F(Driver, leadHoldsThePosture) {
   const auto kneeError = [&](double lead) {
     p.servo.loadLead = lead;
     driver.reset();
-    simulation::ServoWorld world(nao);
+    simulation::BulletRobot world(nao);
     world.restart(driver.humanoid().toMechanism(output.angles));
     for (int i = 0; i < 200; ++i) {
       world.command(driver.command(output, p, {}).target);
@@ -120,7 +120,7 @@ TEST_F(Driver, leadHoldsThePosture) {
 
 TEST_F(Driver, anArmIsNoWalker) {
   try {
-    ServoDriver refused(findMechanism("so101"));
+    PositionServoAdapter refused(findMechanism("so101"));
     FAIL();
   } catch (const std::invalid_argument& error) {
     EXPECT_NE(std::string(error.what()).find("so101"), std::string::npos) << error.what();
