@@ -35,7 +35,7 @@ bin/%: force
 	@scripts/build.sh SimRelease $*
 .PHONY: force
 
-.PHONY: default all help packages run match web pictures test cluster bench fuzz faults kills soak thread coverage mutation install deb results format format-check tidy check clean bench-live soak-live
+.PHONY: default all help packages run match web pictures test cluster bench fuzz faults kills stops soak thread coverage mutation install deb results format format-check tidy check clean bench-live soak-live
 default: $(defaultTarget)
 all: $(configuredTargets)
 
@@ -216,12 +216,12 @@ fuzz:
 	@$(MAKE) Fuzz
 	@scripts/fuzz.sh $(if $(KEEP),--keep) $(or $(SECONDS),20) $(TARGETS)
 
-# What happens when a call of the system fails, when a program is killed, and in long games: doc/results/reliability.md.
-# FAULTJOBS="gap_record ..." for some jobs, KILLS=1000 of each and SEED for the kills, MINUTES and AGENTS for the game.
-faults kills:
+# What happens when a call of the system fails, when a program is killed or stopped, and in long games: doc/results/reliability.md.
+# FAULTJOBS="gap_record ..." for some jobs, KILLS=1000 or STOPS=100 of each, SEED for both, MINUTES and AGENTS for the game.
+faults kills stops:
 	@$(MAKE) SimRelease
 	@scripts/build_page.sh
-	@$(foreach v,KILLS SEED MOST ALLOCATIONS,$(if $($v),$v=$($v))) scripts/$@.sh $(FAULTJOBS)
+	@$(foreach v,KILLS STOPS SEED MOST ALLOCATIONS,$(if $($v),$v=$($v))) scripts/$@.sh $(FAULTJOBS)
 
 soak:
 	@scripts/build.sh SimRelease agent simulator
@@ -239,6 +239,7 @@ check:
 	@scripts/sanitized_programs.sh
 	@scripts/faults.sh
 	@scripts/kills.sh
+	@scripts/stops.sh
 	@scripts/soak.sh
 
 # The programs and libraries for this machine: PREFIX=FOLDER for another than configured [/usr/local], DESTDIR=FOLDER for a

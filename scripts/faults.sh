@@ -17,7 +17,7 @@ source tests/faults/jobs.bash
 most=${MOST:-40} allocations=${ALLOCATIONS:-24} kinds=${KINDS:-$all} placesWanted=yes
 if [[ " $* " == *" --quick "* ]]; then most=4 allocations=6; fi
 chooseJobs "$@"
-begin faults
+begin build/faults
 
 faultJob() { # job; tries, broken and row are the caller's
   local name=$1 kind tried

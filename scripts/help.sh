@@ -17,6 +17,7 @@ make coverage        which lines of src/ the tests run, a line per folder (AREAS
 make mutation        whether tests notice thresholds and operators that are changed (FOLDERS="walking", MOST=20)
 make fuzz            libFuzzer on all 46 that read from outside, 18 minutes: SECONDS=20 of each (TARGETS="..." for some)
 make faults, kills   calls of the system that fail, and kills, in every program (FAULTJOBS="..." for some; KILLS=8, SEED=1)
+make stops           SIGINT and SIGTERM in every program, which must end within a second (FAULTJOBS="..."; STOPS=8, SEED=1)
 make soak            a long game: memory and cost of simulator and agents (MINUTES=10, AGENTS=22)
 make bench           run all benchmarks into build/bench/; bench-AREA those of one area
                      (bench-walk, -walk-nao, -walk-fit, -walk-server, -fidelity, -games, -gap, -gap-real, -gap-walk, -gap-simspark,

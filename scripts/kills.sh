@@ -14,37 +14,20 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 fail() { echo "kills.sh: $*" >&2; exit 2; }
 source tests/faults/helpers.bash
 source tests/faults/jobs.bash
-kills=${KILLS:-8} seed=${SEED:-1}
-[[ $kills =~ ^[0-9]+$ && $seed =~ ^[0-9]+$ ]] || fail "KILLS and SEED are whole numbers"
+source tests/faults/draw.bash
+kills=${KILLS:-8}
+takeSeed "$kills" KILLS
 chooseJobs "$@"
-begin kills
-
-# Numbers below $1; the same row for the same seed, of each job another one.
-below() {
-  state=$(((state * 1103515245 + 12345) % 2147483648))
-  drawn=$(((state >> 8) % $1))
-}
-
-# The place of the next kill among a job's calls: as often within file work as anywhere.
-draw() {
-  local kind=${fileKinds[0]-}
-  below 2
-  if ((drawn == 0)) || [[ ! $kind ]]; then kind=malloc; else below ${#fileKinds[@]}; kind=${fileKinds[drawn]}; fi
-  below $((callsBefore[$kind] > 0 ? callsBefore[$kind] : 1))
-  place=$kind:$((drawn + 1))!
-}
+begin build/faults
 
 killJob() { # job; tries, broken and row are the caller's
-  local name=$1 kind i readable=0 resumed=0 state=$seed drawn=0 place fileKinds=()
+  local name=$1 i readable=0 resumed=0 state drawn place fileKinds=()
   local -A callsBefore states=()
   prepareJob "$name" || { finding "$name" "" "its preparation failed: $(tail -1 "$scratch/err")"; row=(0 - - -); return; }
-  for kind in $all; do
-    callsBefore[$kind]=$(callsOf $kind)
-    ((callsBefore[$kind] == 0)) || [[ $kind == malloc ]] || fileKinds+=($kind)
-  done
-  for kind in $(printf '%s' "$name" | od -An -v -tu1); do state=$(((state * 31 + kind) % 2147483648)); done
+  beginDraws "$name"
   for ((i = 0; i < kills; ++i)); do
-    draw
+    drawPlace
+    place+=!
     rm -rf "$scratch/work"
     cp -a "$scratch/template" "$scratch/work"
     playJob "$name" "$scratch/work" "$place"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Writes doc/results/reliability.md from what `make fuzz`, `make faults`, `make kills` and `make soak` left
+# Writes doc/results/reliability.md from what `make fuzz`, `make faults`, `make kills`, `make stops` and `make soak` left
 # in build/. What was not run here keeps the section that the page has, and each section says where and when it was measured.
 #   scripts/make_reliability.sh
 # Example: make faults && scripts/make_reliability.sh
@@ -56,6 +56,13 @@ missing() {
     echo
     table build/faults/kills.txt
   else missing "Kills" "make kills"; fi
+  printf '\n## Stops\n\n'
+  if [[ -s build/stops/table.txt ]]; then
+    echo "\`make stops\`, $(dated build/stops/table.txt), $here: how often each program got SIGINT or SIGTERM, and how long it then took to"
+    echo "its end at most [s]. Uncaught: before or after its work, where the signal itself ends it. Slow: over a second, but not again."
+    echo
+    table build/stops/table.txt
+  else missing "Stops" "make stops"; fi
   printf '\n## Long games\n\n'
   if compgen -G 'build/soak/*.txt' > /dev/null; then
     for file in build/soak/*.txt; do echo "\`make soak\`, $(dated "$file"), $here: $(cat "$file")." && echo; done

@@ -15,6 +15,7 @@ namespace {
 std::vector<std::string> linesOf(const std::string& text) {
   std::vector<std::string> lines;
   std::istringstream stream(text);
+  stream.exceptions(std::ios::badbit);  // a lack of memory is not the end of the text
   for (std::string line; std::getline(stream, line);) lines.push_back(std::move(line));
   return lines;
 }

@@ -4,13 +4,15 @@
 
 #include <chrono>
 #include <cstdio>
-#include <fstream>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 
 #include "framework/ConfigFolder.h"
+#include "framework/FileLines.h"
+#include "framework/ReadFile.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "game/OutputFolder.h"
@@ -44,10 +46,15 @@ public:
     prepareOutput(options.output, {"agent.log", "simulator.log", "agent.json", "simulator.json",
                                    "summary.json", "track.svg", "track.csv"});
     ports_ = {options.port, options.monitorPort};
-    if (options.host.empty()) startSimulator();
-    monitor.interruptBy(stop.fileDescriptor());
-    if (const std::string why = monitor.connect(host(), ports_.monitor); !why.empty())
-      throw std::runtime_error(why);
+    try {
+      if (options.host.empty()) startSimulator(stop);
+      monitor.interruptBy(stop.fileDescriptor());
+      if (const std::string why = monitor.connect(host(), ports_.monitor); !why.empty())
+        throw std::runtime_error(why);
+    } catch (const std::runtime_error&) {
+      if (stop.requested()) throw Stopped("interrupted");
+      throw;
+    }
     startAgent();
   }
 
@@ -73,8 +80,8 @@ public:
 
   /// What a program has written about its cost [us per cycle]; 0 if it has not.
   static double cost(const std::string& path) {
-    std::ifstream in(path);
-    const auto json = nlohmann::json::parse(in, nullptr, false);
+    if (!std::filesystem::exists(path)) return 0;
+    const auto json = nlohmann::json::parse(readFile(path, 1 << 20), nullptr, false);
     return json.is_discarded() ? 0 : json.value("cpu_us_per_cycle", 0.0);
   }
 
@@ -83,7 +90,7 @@ public:
 private:
   std::string host() const { return options_.host.empty() ? "127.0.0.1" : options_.host; }
 
-  void startSimulator() {
+  void startSimulator(const StopSignal& stop) {
     std::vector<std::string> arguments = {"--sync",
                                           "--seed",
                                           std::to_string(options_.seed),
@@ -103,7 +110,8 @@ private:
     if (options_.realtime) arguments.emplace_back("--realtime");
     if (options_.web) arguments.emplace_back("--web");
     arguments.insert(arguments.end(), options_.simulatorOptions.begin(), options_.simulatorOptions.end());
-    simulator_.emplace(programs_ + "/simulator", arguments, file("ports.json"), file("simulator.log"));
+    simulator_.emplace(programs_ + "/simulator", arguments, file("ports.json"), file("simulator.log"),
+                       [&stop] { return stop.requested(); });
     ports_ = simulator_->ports();
     if (ports_.web > 0) {
       fmt::print("watch at http://localhost:{}/\n", ports_.web);
@@ -135,9 +143,10 @@ private:
   }
 
   static std::string lastLine(const std::string& path) {
-    std::ifstream in(path);
     std::string last;
-    for (std::string line; std::getline(in, line);)
+    if (!std::filesystem::exists(path)) return "see " + path;
+    FileLines lines(path);
+    for (std::string line; lines.next(line);)
       if (!line.empty()) last = line;
     return last.empty() ? "see " + path : last;
   }

@@ -1,12 +1,16 @@
 #include "game/StatusReader.h"
 
 #include <cmath>
+#include <filesystem>
 #include <sstream>
+
+#include "framework/FileLines.h"
 
 namespace plumbline::game {
 
 std::optional<StatusWords> statusOf(const std::string& line) {
   std::istringstream in(line);
+  in.exceptions(std::ios::badbit);  // a lack of memory is not a line of another kind
   std::string status, robot, ball;
   StatusWords said;
   double x = 0, y = 0, degrees = 0, ballX = 0, ballY = 0;
@@ -17,10 +21,10 @@ std::optional<StatusWords> statusOf(const std::string& line) {
 }
 
 const std::vector<StatusWords>& StatusReader::read() {
-  std::ifstream file(path_);
-  file.seekg(position_);
-  for (std::string line; std::getline(file, line) && !file.eof();) {
-    position_ = file.tellg();
+  if (!std::filesystem::exists(path_)) return said_;  // not yet
+  FileLines lines(path_, position_);
+  for (std::string line; lines.next(line) && lines.whole();) {
+    position_ = lines.end();
     if (auto said = statusOf(line); said && !said->words.empty()) said_.push_back(std::move(*said));
   }
   return said_;

@@ -1,5 +1,5 @@
 #pragma once
-#include <fstream>
+#include <ios>
 #include <optional>
 #include <string>
 #include <vector>

@@ -175,6 +175,7 @@ int runAgent(const Options& options, const Platform& platform) {
       options.motion.empty() ? readModulesConfig(setup.modulesConfig) : withMotionPlayer(setup.modulesConfig);
   if (options.log.replays()) modules = modulesOnLog(std::move(modules), options.log, options.platform);
   Controller controller(setup, modules);
+  controller.stop().catchSignals();  // what is made from here on is ended in order
   if (!options.graph.empty() && !options.timing) {
     writeGraph(controller.threads(), options.graph);
     return 0;
@@ -208,7 +209,6 @@ int runAgent(const Options& options, const Platform& platform) {
   if (options.serves && !logged.records()) logged.replayed.paused = true;
   const auto log = makeLog(logged, controller, setup.configDirectories, tell);
   controller.objects().set(log);
-  controller.stop().catchSignals();
   int status = controller.run();
   if (log->recorder) {
     log->recorder->finish();

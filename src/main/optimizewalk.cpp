@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <iterator>
 
 #include "framework/CommandLine.h"
@@ -14,6 +13,7 @@
 #include "framework/NearestName.h"
 #include "framework/Parallel.h"
 #include "framework/ProgressReport.h"
+#include "framework/ReadFile.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "gap/diagnosis/ExplanationFile.h"
@@ -67,9 +67,15 @@ Task taskOf(const std::string& name) {
 /// Thrown in a robot's cycle after Ctrl-C.
 struct Stopped {};
 
+/// Of a file that need not be there, as the walk of a robot that never walked.
 std::string textOf(const std::string& path) {
-  std::ifstream file(path, std::ios::binary);
-  return {std::istreambuf_iterator<char>(file), {}};
+  constexpr std::size_t most = std::size_t{1} << 30;  // [bytes]; a program with its symbols is large
+  if (!std::filesystem::exists(path)) return {};
+  try {
+    return readFile(path, most);
+  } catch (const FileProblem& problem) {
+    throw ConfigurationError(path + ": " + problem.what());
+  }
 }
 
 std::string checksum(const std::string& text) {

@@ -70,7 +70,7 @@ int runProgram(int argc, char** argv) {
   const auto seconds = [] { return static_cast<double>(std::time(nullptr)); };
   for (double lost = -1;;) {
     try {
-      FarmClient client(server, name);
+      FarmClient client(server, name, [&stop] { return stop.requested(); });
       lost = -1;
       work(client, stop);
       return 0;

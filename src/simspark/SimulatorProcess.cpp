@@ -4,9 +4,10 @@
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "framework/ReadFile.h"
 
 namespace plumbline::simspark {
 
@@ -22,16 +23,18 @@ std::vector<std::string> commandLine(const std::string& program, std::vector<std
 }  // namespace
 
 SimulatorProcess::SimulatorProcess(const std::string& program, std::vector<std::string> options,
-                                   const std::string& portsFile, const std::string& outputFile)
+                                   const std::string& portsFile, const std::string& outputFile,
+                                   const std::function<bool()>& stopped)
     : process_(commandLine(program, std::move(options), portsFile), outputFile) {
   for (int i = 0; i < 2000; ++i) {
-    if (std::ifstream file(portsFile); file) {
-      const auto ports = nlohmann::json::parse(file, nullptr, false);
+    if (std::filesystem::exists(portsFile)) {
+      const auto ports = nlohmann::json::parse(readFile(portsFile, 1 << 20), nullptr, false);
       if (!ports.is_discarded() && ports.contains("agent") && ports.contains("monitor")) {
         ports_ = {ports["agent"].get<int>(), ports["monitor"].get<int>(), ports.value("web", 0)};
         return;
       }
     }
+    if (stopped && stopped()) throw std::runtime_error("stopped before " + program + " listened");
     if (!process_.running())
       throw std::runtime_error(program + " ended with status " + std::to_string(*process_.exitStatus()) +
                                " before it listened" + (outputFile.empty() ? "" : "; see " + outputFile));

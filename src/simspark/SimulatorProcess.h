@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 #include <vector>
 
@@ -16,9 +17,9 @@ struct Ports {
 class SimulatorProcess {
 public:
   /// Starts `program` with `options` and waits until it has written its ports. `portsFile` is overwritten.
-  /// Throws std::runtime_error if it can't be started or has no ports after ten seconds.
+  /// Throws std::runtime_error if it can't be started or has no ports after ten seconds, or once `stopped`.
   SimulatorProcess(const std::string& program, std::vector<std::string> options, const std::string& portsFile,
-                   const std::string& outputFile = "");
+                   const std::string& outputFile = "", const std::function<bool()>& stopped = {});
 
   const Ports& ports() const { return ports_; }
   ChildProcess& process() { return process_; }

@@ -4,13 +4,12 @@
 #include <charconv>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
+#include "framework/ReadFile.h"
 #include "framework/SteadyClock.h"
 #include "framework/WriteFile.h"
 
@@ -75,6 +74,7 @@ std::string exactText(const WalkGaits& gaits) {
 
 WalkGaits walkOfExactText(const std::string& text) {
   std::istringstream in(text);
+  in.exceptions(std::ios::badbit);  // a lack of memory is not the end of the text
   std::string word;
   const auto read = [&](WalkParameters& p) {
     for (const WalkParameter& one : walkParameters()) {
@@ -104,8 +104,12 @@ void WalkCheckpoint::read() {
   };
   std::error_code error;
   if (std::filesystem::file_size(file_, error) > maxFileSize || error) fail("is not the state of a search");
-  std::ifstream stream(file_, std::ios::binary);
-  const std::string text{std::istreambuf_iterator<char>(stream), {}};
+  std::string text;
+  try {
+    text = readFile(file_, maxFileSize);
+  } catch (const FileProblem& problem) {
+    throw ConfigurationError(file_ + ": " + problem.what());
+  }
   // Flat: what is nested deeper was not written here.
   const auto flat = [&](int depth, json::parse_event_t, json&) {
     if (depth > 3) fail("is damaged");

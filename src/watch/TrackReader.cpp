@@ -3,13 +3,13 @@
 #include <fmt/format.h>
 
 #include <array>
-#include <cerrno>
 #include <charconv>
 #include <cmath>
-#include <cstring>
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
+
+#include "framework/FileLines.h"
+#include "framework/StopSignal.h"
 
 namespace plumbline::watch {
 namespace {
@@ -52,11 +52,11 @@ private:
 }  // namespace
 
 std::vector<TrackMoment> readTrack(const std::string& file) {
-  std::ifstream in(file);
-  if (!in) throw std::runtime_error("cannot read " + file + ": " + std::strerror(errno));
+  FileLines lines(file);
   std::vector<TrackMoment> moments;
   std::string text;
-  for (int number = 1; std::getline(in, text); ++number) {
+  for (int number = 1; lines.next(text); ++number) {
+    StopSignal::throwIfCaught();
     const Line line(file, number, text);
     if (number == 1) {
       if (text != "time,side,number,x,y,up,mode") line.fail("is no track of a game: its first line differs");
@@ -75,7 +75,6 @@ std::vector<TrackMoment> readTrack(const std::string& file) {
     moments.back().players.push_back(
         {line[1] == "left", static_cast<int>(line.number(2, 11)), place, line.number(5, 1.1) > 0.5});
   }
-  if (in.bad()) throw std::runtime_error("cannot read " + file + ": " + std::strerror(errno));
   return moments;
 }
 

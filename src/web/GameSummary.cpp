@@ -5,8 +5,6 @@
 #include <cstdint>
 #include <cstring>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
@@ -15,6 +13,7 @@
 #include <vector>
 
 #include "framework/ConfigFolder.h"
+#include "framework/ReadFile.h"
 #include "framework/StopSignal.h"
 #include "web/Frame.h"
 #include "web/GoalMarks.h"
@@ -27,6 +26,7 @@ using nlohmann::json;
 
 constexpr double step = 0.1, rest = 0.5;    // between two places [s]; of the recording while the clock stands
 constexpr std::size_t mostPlaces = 200000;  // five and a half hours
+constexpr std::size_t maxPage = std::size_t{64} << 20;  // [bytes]
 constexpr std::size_t mostRobots = 64;
 constexpr double standing = 0.5;  // cosine of the torso's lean
 
@@ -190,8 +190,7 @@ std::string summaryPage(const std::string& builtPage, const std::string& tracks,
 std::string builtSummaryPage() {
   const std::string programs = programFolder();
   for (const char* place : {"/../build/report/summary.html", "/../../report/summary.html"}) {
-    std::ifstream file(programs + place, std::ios::binary);
-    if (file) return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (std::filesystem::exists(programs + place)) return readFile(programs + place, maxPage);
   }
   throw std::runtime_error("the page of a summary is not built: run `make web` once");
 }

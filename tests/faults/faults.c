@@ -5,21 +5,26 @@
 //
 // FAULT is KIND:N, the N-th call of the kind from the beginning of main on (1 the first). With a + behind:
 // that one and all that follow, as on a disk that is full. With a ! behind: the program is killed there
-// instead, after half of a write. Kinds:
+// instead, after half of a write. With ^INT or ^TERM behind: it gets that signal there, as by Ctrl-C or kill,
+// and goes on. Kinds:
 //   write   to regular files, also by stdio                                    ENOSPC
 //   sync    fsync, fdatasync of files and folders                              EIO
 //   rename  and link                                                           EIO
 //   open    of files for writing, and mkdir                                    ENOSPC
 //   malloc  and what else allocates                                            ENOMEM
+//   moment  no call but the N-th millisecond, for signals
 // FAULT_LOG gets a line "KIND N" for a call that failed, and with FAULT=count at the end a line "KIND CALLS"
-// for each kind. FAULT_PROGRAM: only in the program of that name, not in those that it starts. FAULT_PLACES
-// gets with FAULT=count a line "place N" for the first allocation from each place of the program.
-// FAULT_PATIENCE: seconds until a program that hangs is ended by SIGALRM.
+// for each kind. Of a signal: "sent MICROSECONDS" by the clock, "caught 1" where the program had a handler,
+// and at the program's end "ended MICROSECONDS" and "cpu MICROSECONDS", what it computed since.
+// FAULT_PROGRAM: only in the program of that name, not in those that it starts. FAULT_PLACES gets with
+// FAULT=count a line "place N" for the first allocation from each place of the program. FAULT_PATIENCE:
+// seconds until a program that hangs is ended by SIGALRM.
 #define _GNU_SOURCE
 #include <dlfcn.h>
 #include <errno.h>
 #include <execinfo.h>
 #include <fcntl.h>
+#include <pthread.h>
 #include <signal.h>
 #include <stdarg.h>
 #include <stdatomic.h>
@@ -29,16 +34,20 @@
 #include <string.h>
 #include <sys/stat.h>
 #include <sys/syscall.h>
+#include <sys/time.h>
 #include <sys/uio.h>
+#include <time.h>
 #include <unistd.h>
 
-enum { WRITE, SYNC, RENAME, OPEN, MALLOC, KINDS };
-static const char* const names[KINDS] = {"write", "sync", "rename", "open", "malloc"};
-static const int errors[KINDS] = {ENOSPC, EIO, EIO, ENOSPC, ENOMEM};
+enum { WRITE, SYNC, RENAME, OPEN, MALLOC, MOMENT, KINDS };
+static const char* const names[KINDS] = {"write", "sync", "rename", "open", "malloc", "moment"};
+static const int errors[KINDS] = {ENOSPC, EIO, EIO, ENOSPC, ENOMEM, 0};
 
 static atomic_int running;  // main has begun
 static atomic_long calls[KINDS];
-static int wanted = -1, lasting, killing, counting;
+static int wanted = -1, lasting, killing, stopping, counting;
+static pid_t process;        // not what it forks
+static long begin, cpuThen;  // [us]
 static long which;
 static const char* logFile;
 
@@ -93,13 +102,46 @@ static void notePlace(long n) {
   }
 }
 
+static long microseconds(clockid_t clock) {
+  struct timespec time;
+  clock_gettime(clock, &time);
+  return time.tv_sec * 1000000 + time.tv_nsec / 1000;
+}
+
+static void stop(void) {
+  struct sigaction handler;
+  sigaction(stopping, NULL, &handler);
+  note("caught", handler.sa_handler != SIG_DFL);
+  cpuThen = microseconds(CLOCK_PROCESS_CPUTIME_ID);
+  note("sent", microseconds(CLOCK_REALTIME));
+  kill(process, stopping);
+}
+
+static void* stopLater(void* unused) {
+  sigset_t all;
+  sigfillset(&all);
+  pthread_sigmask(SIG_SETMASK, &all, NULL);
+  struct timespec rest = {which / 1000, which % 1000 * 1000000};
+  while (nanosleep(&rest, &rest) != 0) continue;
+  if (atomic_load(&running)) {
+    note(names[MOMENT], which);
+    stop();
+  }
+  return unused;
+}
+
 static int fails(int kind) {
   if (!atomic_load(&running) || looking) return 0;
   const long n = atomic_fetch_add(&calls[kind], 1) + 1;
   if (counting && kind == MALLOC && placeFile) notePlace(n);
   if (kind != wanted || (lasting ? n < which : n != which)) return 0;
+  if (stopping && getpid() != process) return 0;
   if (killing && !isFirst()) return 0;
   if (n == which) note(names[kind], n);
+  if (stopping) {
+    stop();
+    return 0;
+  }
   if (killing && kind != WRITE) kill(getpid(), SIGKILL);
   errno = errors[kind];
   return 1;
@@ -242,7 +284,13 @@ int posix_memalign(void** result, size_t alignment, size_t size) {
 }
 
 static void tellCounts(void) {
-  if (!atomic_exchange(&running, 0) || !counting) return;
+  if (!atomic_exchange(&running, 0)) return;
+  if (cpuThen && getpid() == process) {
+    note("ended", microseconds(CLOCK_REALTIME));
+    note("cpu", microseconds(CLOCK_PROCESS_CPUTIME_ID) - cpuThen);
+  }
+  if (!counting) return;
+  atomic_store(&calls[MOMENT], (microseconds(CLOCK_MONOTONIC) - begin) / 1000);
   for (int kind = 0; kind < KINDS; ++kind) note(names[kind], atomic_load(&calls[kind]));
 }
 void _exit(int status) {
@@ -271,8 +319,13 @@ static int countedMain(int argc, char** argv, char** environment) {
       which = strtol(fault + length + 1, &end, 10);
       lasting = *end == '+';
       killing = *end == '!';
+      if (*end == '^') stopping = strcmp(end + 1, "INT") == 0 ? SIGINT : SIGTERM;
     }
-    if (counting) atexit(tellCounts);
+    process = getpid();
+    begin = microseconds(CLOCK_MONOTONIC);
+    if (counting || stopping) atexit(tellCounts);
+    pthread_t thread;
+    if (wanted == MOMENT && pthread_create(&thread, NULL, stopLater, NULL) != 0) return 99;
     atomic_store(&running, 1);
   }
   return realMain(argc, argv, environment);

@@ -1,4 +1,4 @@
-# How a job is tried and judged; sourced by scripts/faults.sh and scripts/kills.sh in the root of the tree.
+# How a job is tried and judged; sourced by scripts/faults.sh, kills.sh and stops.sh in the root of the tree.
 patience=600 # seconds until a program counts as hung, also on a machine with much else to do
 tree=$PWD
 bin=${PLUMBLINE_BIN:-$tree/bin}
@@ -37,8 +37,8 @@ chooseJobs() {
 }
 
 # Makes the library and the folder `out` of what is told.
-begin() {
-  out=${FAULTS_OUT:-build/faults}
+begin() { # folder
+  out=${FAULTS_OUT:-$1}
   mkdir -p "$out"
   out=$(cd "$out" && pwd)
   mkdir "$rows"
@@ -88,6 +88,7 @@ makeSample() {
   (cd "$tree" && "$bin/game" --seed 8 --limit 2 --output "$scratch/sampled" --agent-option=--log \
     --agent-option="$sample" --agent-option=--log-wait > /dev/null 2> "$scratch/err") || [[ -s $sample/metadata.yaml ]]
 }
+source tests/faults/servers.bash
 needsSample() { declare -f "$1_prepare" "$1_run" | grep -qE '\$sample|startAgent'; }
 
 # Its folder as it is before each try, and a run without a fault to compare with: status, files, how many calls.
@@ -104,6 +105,7 @@ prepareJob() {
   playJob "$name" "$scratch/good" count
   mv "$scratch/told" "$scratch/calls" 2> /dev/null || { echo "no calls were counted: $(tail -1 "$scratch/err")" >> "$scratch/err"; return 1; }
   goodStatus=$status
+  cp "$scratch/out" "$scratch/good.out"
   expected "$name" "$status" || { echo "status $status without a fault: $(tail -1 "$scratch/err")" >> "$scratch/err"; return 1; }
 }
 expected() { if declare -F "$1"_expects > /dev/null; then "$1"_expects "$2"; else (($2 == 0)); fi; }
@@ -166,6 +168,9 @@ tryFault() { # job, fault
     fi
   fi
   judgeFiles "$name" "$2"
+  if declare -F "$name"_prints > /dev/null && ((status == goodStatus)) && [[ ! $last ]]; then
+    cmp -s "$scratch/out" "$scratch/good.out" || finding "$name" "$2" "status $status and no word, but it prints other text"
+  fi
   if declare -F "$name"_check > /dev/null; then
     (cd "$scratch/work" && "$name"_check) > "$scratch/checked" 2>&1 || finding "$name" "$2" "status $status, and what was written cannot be used: $(tail -1 "$scratch/checked")"
   fi
@@ -214,7 +219,7 @@ judgeFile() { # job, fault, file, differs
     if [[ $4 ]]; then [[ -s $new ]] || finding "$1" "$2" "status $status, but no $3"
     else cmp -s "$new" "$good" || finding "$1" "$2" "status $status and no word, but $3 is not what it should be"; fi
   elif [[ -e $new ]]; then
-    cmp -s "$new" "$old" || cmp -s "$new" "$good" || { [[ $4 ]] && [[ $(tail -c 2 "$new" | tr -d '\n') == '}' ]]; } ||
+    cmp -s "$new" "$old" || cmp -s "$new" "$good" || { [[ $4 ]] && tail -c 8 "$new" | grep -qE '(\}|</svg>)$'; } ||
       finding "$1" "$2" "status $status, and $3 is half written"
   elif [[ -e $old ]]; then
     finding "$1" "$2" "status $status, and the old $3 is gone"
@@ -253,50 +258,4 @@ stopAfterStart() { # seconds, command...: interrupts it so long after its first 
   result=$?
   rm -f started.out
   return $result
-}
-
-# Servers that a program is a client of. One of them sees many kills of its clients, and must be there after the last.
-startSimulator() { # leaves `server` and `port`
-  rm -f sim.ports
-  env -u LD_PRELOAD "$bin/simulator" --port 0 --monitor-port 0 --wait-agents 0 --realtime --max-seconds 36000 --ports-file sim.ports \
-    < /dev/null > /dev/null 2>&1 &
-  server=$!
-  waitFor 20 test -s sim.ports
-  port=$(portIn sim.ports monitor)
-}
-startAgent() { # on the sample; leaves `server` and `port`
-  env -u LD_PRELOAD "$bin/agent" --config "$tree/config" --replay "$sample" --paused --debug 0 --crash-log crash.log \
-    < /dev/null > /dev/null 2> agent.err &
-  server=$!
-  waitFor 20 grep -q 'debug port' agent.err
-  port=$(sed -n 's/.*debug port 127.0.0.1:\([0-9]*\).*/\1/p' agent.err)
-}
-withServer() { # startSimulator or startAgent, command with PORT: the server goes on for the next time
-  local server port start=$1
-  shift
-  if [[ ! -s $scratch/server/pid ]]; then
-    mkdir -p "$scratch/server"
-    (cd "$scratch/server" && "$start" && echo "$server $port" > pid)
-  fi
-  read -r server port < "$scratch/server/pid"
-  kill -0 "$server" 2> /dev/null || { echo "the server is gone" >&2; return 99; }
-  "${@/%PORT/$port}"
-}
-withSimulator() { # command with PORT: a game of its own
-  local result server port
-  startSimulator
-  "${@/%PORT/$port}"
-  result=$?
-  kill "$server" 2> /dev/null
-  wait "$server" 2> /dev/null
-  rm -f sim.ports
-  return $result
-}
-# Whether the server that a job's program is a client of is there.
-serverStands() { [[ ! -s $scratch/server/pid ]] || kill -0 "$(cut -d' ' -f1 "$scratch/server/pid")" 2> /dev/null; }
-stopServers() {
-  local server
-  for server in "$scratch"/server/pid "$scratch"/of/*/server/pid; do
-    [[ ! -s $server ]] || kill "$(cut -d' ' -f1 "$server")" 2> /dev/null
-  done
 }

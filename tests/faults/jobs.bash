@@ -1,7 +1,9 @@
 # What is tried with faults: job NAME PROGRAM, then in functions of the job's name what makes its folder
 # (NAME_prepare), what runs (NAME_run) and what must hold whatever happened (NAME_check; the files of NAME_outputs are as
 # they were, as they should be, or not there; with a ? their content differs from run to run). NAME_resumes names files that
-# the same command comes to after a kill. Sourced after helpers.bash; $bin has the programs, $tree the tree.
+# the same command comes to after a kill; what a job with NAME_prints prints is all it does. Of signals: NAME_ends are further
+# statuses that one may end with, NAME_keeps patterns of what it may leave to go on from; `stopped` is set: agents and workers
+# then end with status 0 before their work is done. Sourced after helpers.bash; $bin has the programs, $tree the tree.
 all="write sync rename open malloc"
 quick=() jobs=()
 declare -A programOf
@@ -67,6 +69,7 @@ gap_diagnose_blocks_prepare() { gap_diagnose_prepare; }
 gap_diagnose_blocks_run() { "$bin/gap" diagnose run --jobs 1 --method blocks --max-causes 1 --quiet --json answer.json; }
 gap_diagnose_blocks_outputs() { echo answer.json; }
 gap_diagnose_blocks_resumes() { echo answer.json; }
+gap_diagnose_blocks_keeps() { echo "./answer.json.searches"; }
 
 quickJob gap_apply gap
 gap_apply_prepare() { gapAnswer; echo old > effects.yaml; }
@@ -96,9 +99,33 @@ gap_import_prepare() {
 gap_import_run() { "$bin/gap" import raw.csv --map map.yaml -o run; }
 gap_import_outputs() { echo run/run.json run/run.csv.gz run/run.csv; }
 
+job gap_settings gap
+gap_settings_prepare() {
+  mkdir traces
+  cp "$tree"/tests/data/traces/crouch_t[013].csv.gz "$tree"/tests/data/traces/stand_t3.csv.gz traces
+  echo old > answer.json
+}
+gap_settings_run() { "$bin/gap" settings --traces traces --jobs 1 --quiet --json answer.json; }
+gap_settings_outputs() { echo answer.json; }
+
 job gap_blind gap
 gap_blind_run() { "$bin/gap" blind make --robot xl330_pendulum --engine replay --cases 1 --seed 4 --jobs 1 -o set; }
 gap_blind_outputs() { echo set/answers.sealed; }
+
+job gap_blind_score gap
+gap_blind_score_prepare() {
+  gap_blind_run > /dev/null
+  mkdir answers
+  gapAnswer
+  for run in set/*/; do sed 's/Elbow/pendulum/; s/"arm"/"xl330_pendulum"/' answer.json > "answers/$(basename "$run").json"; done
+}
+gap_blind_score_run() { "$bin/gap" blind score set answers --list all; }
+gap_blind_score_prints() { :; }
+
+job gap_reveal gap
+gap_reveal_prepare() { gapProgram 1.6 Elbow; gap_record_secret_run > /dev/null; }
+gap_reveal_run() { "$bin/gap" reveal runs; }
+gap_reveal_prints() { :; }
 
 quickJob logtool_cut logtool
 logtool_cut_prepare() { cp -r "$sample" log; }
@@ -152,7 +179,7 @@ simulator_plain_outputs() { echo 'ports.json? stats.json?'; }
 job game game
 game_run() { "$bin/game" --seed 8 --limit 2 --output out; }
 game_expects() { (($1 == 1)); } # no goal within two seconds
-game_outputs() { echo 'out/summary.json? out/track.svg'; }
+game_outputs() { echo "out/summary.json? out/track.svg${stopped:+?}"; } # stopped, it draws what was played
 
 job optserver optserver
 optserver_prepare() { printf 'task: function\noptions: {function: sphere, dimension: 2}\npopulation: 4\nruns: 1\nrunsOfBest: 1\ngenerations: 2\n' > study.yaml; }
@@ -161,6 +188,28 @@ optserver_check() { # every line of the journal but the last is whole
   [[ ! -s search/evaluations.jsonl ]] || ! sed '$d' search/evaluations.jsonl | grep -qv '}$'
 }
 optserver_resumes() { echo search/found.yaml; }
+
+# From half of its results on, the last of which was cut off: none of the whole ones may be lost.
+job optserver_again optserver
+optserver_again_prepare() {
+  optserver_prepare
+  "$bin/optserver" study.yaml --folder search --workers 1 --port 0 > /dev/null
+  head -5 search/evaluations.jsonl > before
+  rm -r search
+  mkdir search
+  { cat before; printf '{"trial":4'; } > search/evaluations.jsonl
+}
+optserver_again_run() { optserver_run; }
+optserver_again_check() { cmp before <(head -5 search/evaluations.jsonl) && optserver_check; }
+optserver_again_resumes() { optserver_resumes; }
+
+job optworker optworker
+optworker_prepare() { optserver_prepare; }
+optworker_run() { withOptserver "$bin/optworker" --patience 1 --port PORT; }
+optworker_check() { # the server's results
+  optserver_check && { ((status != 0)) || [[ ${stopped-} ]] || cmp <(comparable search/found.yaml) <(comparable ../good/search/found.yaml); }
+}
+optworker_resumes() { optserver_resumes; }
 
 job optserver_measure optserver
 optserver_measure_prepare() { optserver_prepare; "$bin/optserver" study.yaml --folder study.search --workers 1 --port 0 > /dev/null; }
@@ -174,6 +223,7 @@ optimizewalk_run() {
 }
 optimizewalk_outputs() { echo walking.yaml; }
 optimizewalk_resumes() { echo walking.yaml; }
+optimizewalk_keeps() { echo "./walking.yaml.search"; }
 
 job watchgame watchgame
 watchgame_prepare() { echo 'a line of an earlier game' > games.log; }
@@ -190,3 +240,45 @@ webmonitor_record_check() { readableMatch match.plm; }
 job rdb rdb
 rdb_prepare() { echo 'get r:BallPos' > script; }
 rdb_run() { withServer startAgent "$bin/rdb" 127.0.0.1:PORT --script script; }
+
+job agent_play agent
+agent_play_run() {
+  "$bin/agent" --start-simulator --simulator-option=--sync --simulator-option=--seed --simulator-option=3 \
+    --simulator-option=--max-seconds --simulator-option=1 --stats stats.json --crash-log crash.log
+}
+agent_play_outputs() { echo 'stats.json?'; }
+
+# Tries kicks by an optimiser of its own.
+job agent_optimise agent
+agent_optimise_prepare() {
+  rm config
+  cp -r "$tree/config" config
+  printf 'host: ""\npopulation: 4\nruns: 1\ngenerations: 1\nfound: found.kick.yaml\n' > config/OptimizationClient.yaml
+  echo 'rollSeconds: 1' > config/OptimizeKick.yaml
+}
+agent_optimise_run() {
+  "$bin/agent" --config config --crash-log crash.log --start-simulator --modules config/platforms/simspark/optimise.cfg \
+    --simulator-option=--sync --simulator-option=--ground-truth
+}
+agent_optimise_outputs() { [[ ${stopped-} ]] || echo 'found.kick.yaml?'; }
+
+# Without memory for the locale it draws in ASCII anyway.
+job simplemonitor simplemonitor
+simplemonitor_run() { withServer startSimulator "$bin/simplemonitor" --once --ascii --size 80x24 127.0.0.1:PORT; }
+simplemonitor_prints() { :; }
+
+job learnvalue learnvalue
+learnvalue_prepare() {
+  awk 'BEGIN {
+    print "time,side,number,x,y,up,mode"
+    for (i = 0; i < 200; ++i) {
+      mode = i < 180 ? "PlayOn" : "Goal_Left"
+      printf "%.1f,ball,0,%.2f,%.2f,1,%s\n", i / 2, i % 20 - 10, i % 7 - 3, mode
+      printf "%.1f,left,1,%.2f,0,1,%s\n%.1f,right,1,%.2f,1,1,%s\n", i / 2, i % 20 - 11, mode, i / 2, i % 20 - 6, mode
+    }
+  }' > track.csv
+  echo '# old' > value.yaml
+}
+learnvalue_run() { "$bin/learnvalue" track.csv -o value.yaml; }
+learnvalue_outputs() { echo value.yaml; }
+learnvalue_resumes() { echo value.yaml; }

@@ -1,7 +1,9 @@
-# A few of the jobs of `make faults`: the first calls of each kind fail, and a program ends well or says why.
+# A few of the jobs of `make faults` and `make stops`: the first calls of each kind fail, or a signal comes, and a program ends
+# well or says why.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 FAULTS_OUT=$(mktemp -d)
 export FAULTS_OUT
 trap 'rm -rf "$FAULTS_OUT"' EXIT
 scripts/faults.sh --quick
+scripts/stops.sh --quick

@@ -47,7 +47,7 @@ TEST(TrackReaderTest, itsErrorsSayWhereAndWhat) {
   EXPECT_EQ(errorOf(std::string(head) + "0.5,ball,0,0,0,0,PlayOn\n0.5,ball,0,0,0,0,PlayOn\n"),
             path + ":3: the time does not rise");
   EXPECT_EQ(thrownBy([] { watch::readTrack("/nowhere/track.csv"); }),
-            "cannot read /nowhere/track.csv: No such file or directory");
+            "/nowhere/track.csv: cannot be read: No such file or directory");
 }
 
 }  // namespace

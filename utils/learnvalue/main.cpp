@@ -2,11 +2,13 @@
 // games.
 #include <fmt/format.h>
 
-#include <exception>
+#include <stdexcept>
 #include <string>
 #include <vector>
 
 #include "framework/CommandLine.h"
+#include "framework/GuardedMain.h"
+#include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "watch/LearnFromTrack.h"
 
@@ -37,28 +39,25 @@ int runProgram(int argc, char** argv) {
       .showDefault();
   app.footer("Example:\n  bin/learnvalue build/games/*/*/track.csv -o config/field_value.yaml");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
-  try {
-    FieldValueLearner learner(standardGrid(), options);
-    for (const std::string& track : tracks) watch::learnFromTrack(watch::readTrack(track), learner);
-    if (learner.steps() == 0)
-      throw std::runtime_error("no ball in play in " + fmt::format("{} tracks", tracks.size()));
-    const std::string head = fmt::format(
-        "# What a ball is worth: the probability that the next goal is ours less that it is theirs, by its "
-        "place\n"
-        "# (x towards the opponents' goal; y aside, both sides alike; metres) and who is nearer to it\n"
-        "# (src/tactics/FieldValue.h). Learnt by bin/learnvalue from {} games: {} steps of {:g} s, {} of\n"
-        "# them into a goal.\n",
-        tracks.size(), learner.steps(), watch::learningStep, learner.goals());
-    writeFile(output, head + learner.learn().yaml());
-    fmt::print("{} games, {} steps, {} of them into a goal: {}\n", tracks.size(), learner.steps(),
-               learner.goals(), output);
-    return 0;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "learnvalue: {}\n", error.what());
-    return 2;
-  }
+  StopSignal stop;
+  stop.catchSignals();
+  FieldValueLearner learner(standardGrid(), options);
+  for (const std::string& track : tracks) watch::learnFromTrack(watch::readTrack(track), learner);
+  if (learner.steps() == 0)
+    throw std::runtime_error("no ball in play in " + fmt::format("{} tracks", tracks.size()));
+  const std::string head = fmt::format(
+      "# What a ball is worth: the probability that the next goal is ours less that it is theirs, by its "
+      "place\n"
+      "# (x towards the opponents' goal; y aside, both sides alike; metres) and who is nearer to it\n"
+      "# (src/tactics/FieldValue.h). Learnt by bin/learnvalue from {} games: {} steps of {:g} s, {} of\n"
+      "# them into a goal.\n",
+      tracks.size(), learner.steps(), watch::learningStep, learner.goals());
+  writeFile(output, head + learner.learn().yaml());
+  fmt::print("{} games, {} steps, {} of them into a goal: {}\n", tracks.size(), learner.steps(),
+             learner.goals(), output);
+  return 0;
 }
 
 }  // namespace
 
-int main(int argc, char** argv) { return plumbline::flushedStatus("learnvalue", runProgram(argc, argv)); }
+int main(int argc, char** argv) { return plumbline::guardedMain("learnvalue", runProgram, argc, argv); }

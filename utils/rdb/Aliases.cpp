@@ -1,17 +1,17 @@
 #include "Aliases.h"
 
-#include <fstream>
 #include <stdexcept>
 #include <string_view>
+
+#include "framework/FileLines.h"
 
 namespace plumbline::rdb {
 
 Aliases Aliases::read(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw std::runtime_error(path + ": cannot be read");
+  FileLines in(path);
   Aliases aliases;
   int number = 0;
-  for (std::string line; std::getline(in, line);) {
+  for (std::string line; in.next(line);) {
     ++number;
     if (!line.empty() && line.back() == '\r') line.pop_back();
     if (line.empty() || line[0] == '#') continue;

@@ -2,13 +2,13 @@
 
 #include <clocale>
 #include <cstdio>
-#include <fstream>
 #include <stdexcept>
 
 #include <langinfo.h>
 
 #include <cstring>
 
+#include "framework/FileLines.h"
 #include "framework/SteadyClock.h"
 
 namespace plumbline::rdb {
@@ -87,19 +87,20 @@ void Batch::run(const std::string& typed, const std::string& place) {
   const double end = lasts && options_.seconds > 0 ? steadySeconds() + options_.seconds : forEver;
   while (!done && !stop_.requested() && steadySeconds() < end && !(lasts && answered)) receive(step);
   *state = false;
+  if (!done && !lasts && stop_.requested()) throw Stopped("stopped before the answer came");
   if (lasts && !done) ++lasting_;
   if (!failed.empty()) throw std::runtime_error(place + failed);
 }
 
-void Batch::runFile(const std::string& path) {
-  std::ifstream in(path);
-  if (!in) throw std::runtime_error(path + ": cannot be read");
+bool Batch::runFile(const std::string& path) {
+  FileLines in(path);
   int number = 0;
-  for (std::string line; std::getline(in, line) && !stop_.requested();) {
+  for (std::string line; in.next(line) && !stop_.requested();) {
     ++number;
     if (line.empty() || line[0] == '#') continue;
     run(line, path + ':' + std::to_string(number) + ": ");
   }
+  return !stop_.requested();
 }
 
 void Batch::showPlots() {

@@ -21,8 +21,8 @@ public:
   void run(const std::string& line, const std::string& place);
   /// Prints what watches say, until the end of Options; at once if nothing is watched.
   void follow();
-  /// A file of commands; lines that begin with # are comments.
-  void runFile(const std::string& path);
+  /// A file of commands; lines that begin with # are comments. False: stopped within it.
+  bool runFile(const std::string& path);
   /// Waits until all plots are full and shows them.
   void showPlots();
 

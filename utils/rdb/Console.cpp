@@ -8,9 +8,9 @@
 #include <algorithm>
 #include <cstdlib>
 #include <cstring>
-#include <fstream>
 #include <stdexcept>
 
+#include "framework/FileLines.h"
 #include "framework/SteadyClock.h"
 
 namespace plumbline::rdb {
@@ -245,10 +245,9 @@ void Console::png(const std::vector<std::string>& words) {
 }
 
 void Console::begin(const std::string& script) {
-  std::ifstream in(script);
-  if (!in) throw std::runtime_error(script + ": cannot be read");
+  FileLines in(script);
   std::deque<std::string> lines;
-  for (std::string line; std::getline(in, line);) {
+  for (std::string line; in.next(line);) {
     if (lines.size() >= maxScript) throw std::runtime_error(script + ": more than 10000 commands");
     if (line.find_first_not_of(' ') != std::string::npos && line[0] != '#') lines.push_back(line);
   }

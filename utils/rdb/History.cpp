@@ -2,8 +2,8 @@
 
 #include <cstdlib>
 #include <filesystem>
-#include <fstream>
 
+#include "framework/FileLines.h"
 #include "framework/WriteFile.h"
 
 namespace plumbline::rdb {
@@ -18,8 +18,9 @@ void append(std::vector<std::string>& lines, const std::string& line) {
 
 std::vector<std::string> readLines(const std::string& path) {
   std::vector<std::string> lines;
-  std::ifstream in(path);
-  for (std::string line; std::getline(in, line);) append(lines, line);
+  if (!std::filesystem::exists(path)) return lines;
+  FileLines in(path);
+  for (std::string line; in.next(line);) append(lines, line);
   return lines;
 }
 

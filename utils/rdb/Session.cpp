@@ -8,6 +8,7 @@ namespace plumbline::rdb {
 
 std::vector<std::string> wordsOf(const std::string& line) {
   std::istringstream in(line);
+  in.exceptions(std::ios::badbit);  // a lack of memory is not the end of the text
   std::vector<std::string> words;
   for (std::string word; in >> word;) words.push_back(word);
   return words;

@@ -87,11 +87,13 @@ int run(Options& options) {
     if (const std::string why = history.save(); !why.empty()) throw std::runtime_error(why);
     return 0;
   }
-  if (const std::string why = link.connect(connectSeconds); !why.empty())
+  if (const std::string why = link.connect(connectSeconds); !why.empty()) {
+    if (stop.requested()) throw Stopped("stopped before it was connected");
     throw std::runtime_error(why + "; was the agent started with --debug?");
+  }
   Batch batch(link, session, stop, options.batch);
   for (const std::string& command : options.commands) batch.run(command, "");
-  if (!options.script.empty()) batch.runFile(options.script);
+  if (!options.script.empty() && !batch.runFile(options.script)) throw Stopped("stopped within the script");
   if (!options.commands.empty()) batch.follow();
   batch.showPlots();
   return 0;

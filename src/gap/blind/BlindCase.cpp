@@ -2,11 +2,12 @@
 
 #include <array>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 
 #include "framework/Json.h"
+#include "framework/ReadFile.h"
 #include "framework/WriteFile.h"
 #include "gap/record/Secret.h"
 
@@ -15,6 +16,8 @@ namespace plumbline::gap {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t maxSealed = std::size_t{64} << 20;  // [bytes]
 
 constexpr std::array kinds = {BlindKind::none, BlindKind::single, BlindKind::mixture, BlindKind::outside,
                               BlindKind::hard};
@@ -100,12 +103,19 @@ void writeSealed(const BlindSet& set, const std::string& folder) {
 
 BlindSet readSealed(const std::string& folder) {
   const std::string path = sealedPath(folder);
-  std::ifstream file(path);
+  std::string text;
+  if (std::filesystem::exists(path)) try {
+      text = readFile(path, maxSealed);
+    } catch (const FileProblem& problem) {
+      throw std::runtime_error(path + ": " + problem.what());
+    }
+  std::istringstream words(text);
+  words.exceptions(std::ios::badbit);  // a lack of memory is not the end of the text
   std::string word, sum, sealed;
-  if (!(file >> word >> sum >> sealed) || word != "sha256")
+  if (!(words >> word >> sum >> sealed) || word != "sha256")
     throw std::runtime_error(path + ": no sealed answers there; bin/gap blind make writes them");
   try {
-    const std::string text = unseal(sealed);
+    text = unseal(sealed);
     if (sha256(text) != sum) throw std::invalid_argument("the answers were changed: SHA-256 differs");
     return parseBlindSet(text);
   } catch (const std::invalid_argument& error) {

@@ -4,11 +4,11 @@
 
 #include <chrono>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <thread>
 
+#include "framework/FileLines.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "gap/blind/OutsideDrives.h"
@@ -98,8 +98,8 @@ void Workshop::writeByProgram(const std::vector<BlindEffect>& effects, std::uint
     std::this_thread::sleep_for(std::chrono::milliseconds(10));
   }
   std::string said, line;
-  std::ifstream text(log);
-  while (std::getline(text, line))
+  FileLines lines(log);
+  while (lines.next(line))
     if (!line.empty()) said = line;
   fs::remove(file);
   fs::remove(log);

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <cstdio>
 #include <fstream>
+#include <stdexcept>
 #include <type_traits>
 
 namespace plumbline::gap {
@@ -137,6 +138,7 @@ std::uint64_t markOfProgram() {
   std::array<char, 1 << 16> buffer{};
   while (file.read(buffer.data(), buffer.size()), file.gcount() > 0)
     dump.bytes(buffer.data(), static_cast<std::size_t>(file.gcount()));
+  if (!file.eof()) throw std::runtime_error("/proc/self/exe: cannot be read");
   return dump.hash;
 }
 

@@ -1,10 +1,11 @@
 #include "gap/diagnosis/SearchMemory.h"
 
 #include <filesystem>
-#include <fstream>
+#include <new>
 #include <nlohmann/json.hpp>
 
 #include "framework/Json.h"
+#include "framework/ReadFile.h"
 #include "framework/WriteFile.h"
 
 namespace plumbline::gap {
@@ -42,10 +43,9 @@ void SearchMemory::read(const Mechanism& mechanism) {
   std::error_code none;
   const std::uintmax_t bytes = std::filesystem::file_size(path_, none);
   if (none || bytes > mostBytes) return;
-  std::ifstream file(path_);
   // A file that is damaged or of other runs is as good as none: everything in it can be found again.
   try {
-    const json j = parseJson(std::string(std::istreambuf_iterator<char>(file), {}), path_);
+    const json j = parseJson(readFile(path_, mostBytes), path_);
     if (j.at("mark") != mark_) return;
     for (const json& stored : j.at("searches")) {
       Entry entry;
@@ -63,6 +63,8 @@ void SearchMemory::read(const Mechanism& mechanism) {
       entries_.push_back(std::move(entry));
     }
     stored_ = entries_.size();
+  } catch (const std::bad_alloc&) {
+    throw;  // the file may be good
   } catch (const std::exception&) {
     entries_.clear();
   }

@@ -2,12 +2,11 @@
 
 #include <cmath>
 #include <filesystem>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "framework/ConfigurationError.h"
 #include "framework/Json.h"
+#include "framework/ReadFile.h"
 
 namespace plumbline::gap {
 
@@ -36,10 +35,11 @@ json readMap(const std::string& path, const std::string& what, const std::string
     throw ConfigurationError(path + ": there is no such file");
   if (std::filesystem::file_size(path, error) > longest)
     throw ConfigurationError(path + ": is too long for " + what + "; " + written);
-  std::ifstream file(path, std::ios::binary);
   json map;
   try {
-    map = parseJson(std::string(std::istreambuf_iterator<char>(file), {}), path);
+    map = parseJson(readFile(path, longest), path);
+  } catch (const FileProblem& problem) {
+    throw ConfigurationError(path + ": " + problem.what());
   } catch (const JsonError& error) {
     throw ConfigurationError(std::string(error.what()) + "; " + written);
   }

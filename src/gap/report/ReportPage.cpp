@@ -1,12 +1,12 @@
 #include "gap/report/ReportPage.h"
 
 #include <cmath>
-#include <fstream>
-#include <iterator>
+#include <filesystem>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "framework/ConfigFolder.h"
+#include "framework/ReadFile.h"
 #include "gap/effects/Effects.h"
 #include "gap/record/Postures.h"
 #include "simspark/ChildProcess.h"
@@ -16,6 +16,8 @@ namespace plumbline::gap {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t maxPage = std::size_t{64} << 20;  // [bytes]
 
 json point(const Vec3& p) {
   const auto rounded = [](double x) { return std::round(1e4 * x) / 1e4; };
@@ -79,8 +81,7 @@ std::string reportPage(const std::string& builtPage, json answer, const std::opt
 std::string builtReportPage() {
   const std::string programs = programFolder();
   for (const char* place : {"/../build/report/page.html", "/../../report/page.html"}) {
-    std::ifstream file(programs + place, std::ios::binary);
-    if (file) return {std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
+    if (std::filesystem::exists(programs + place)) return readFile(programs + place, maxPage);
   }
   throw std::runtime_error("the report's page is not built: run `make web` once");
 }

@@ -1,10 +1,10 @@
 // bin/gap reveal: opens the secret that bin/gap record --secret sealed.
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <memory>
 #include <stdexcept>
 
+#include "framework/FileLines.h"
 #include "gap/record/Secret.h"
 #include "main/gap/Commands.h"
 
@@ -14,9 +14,8 @@ namespace {
 
 void reveal(const std::string& folder) {
   const std::string path = (std::filesystem::path(folder) / "SECRET").string();
-  std::ifstream file(path);
   std::string sealed;
-  if (!file || !std::getline(file, sealed))
+  if (!std::filesystem::exists(path) || !FileLines(path).next(sealed))
     throw std::runtime_error(folder + ": no secret there; bin/gap record --secret writes one");
   try {
     std::fputs(unseal(sealed).c_str(), stdout);

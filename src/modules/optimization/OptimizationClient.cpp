@@ -49,7 +49,8 @@ OptimizationClient::~OptimizationClient() = default;
 
 void OptimizationClient::connect() {
   auto client = std::make_unique<farm::FarmClient>(farm::ServerAddress{host, port, token},
-                                                   "agent-" + std::to_string(getpid()));
+                                                   "agent-" + std::to_string(getpid()),
+                                                   [this] { return stopRequested(); });
   const farm::Welcome& welcome = client->welcome();
   const auto& options = welcome.options;
   if (welcome.task != "kick")

@@ -58,17 +58,22 @@ bool SimSparkConnection::startSimulator() {
     }
     const std::string base =
         (std::filesystem::temp_directory_path() / ("plumbline-" + std::to_string(getpid()))).string();
+    const auto removeFiles = [&base] {  // the child keeps its descriptor; nothing stays in the folder
+      std::filesystem::remove(base + ".ports");
+      std::filesystem::remove(base + ".log");
+    };
     std::vector<std::string> simulatorOptions = options_->simulatorOptions;
     simulatorOptions.emplace_back("--die-with-parent");
     try {
-      link_->simulator = std::make_unique<simspark::SimulatorProcess>(simulatorProgram_, simulatorOptions,
-                                                                      base + ".ports", base + ".log");
+      link_->simulator =
+          std::make_unique<simspark::SimulatorProcess>(simulatorProgram_, simulatorOptions, base + ".ports",
+                                                       base + ".log", [this] { return stopRequested(); });
     } catch (const std::runtime_error& error) {
+      if (stopRequested()) removeFiles();  // else its log says what went wrong
       requestStop(1, error.what());
       return false;
     }
-    std::filesystem::remove(base + ".ports");
-    std::filesystem::remove(base + ".log");  // the child keeps its descriptor; nothing stays in the folder
+    removeFiles();
     log << "started " << simulatorProgram_ << " on port " << link_->simulator->ports().agent;
     if (const int web = link_->simulator->ports().web; web > 0)
       tell("watch at http://localhost:" + std::to_string(web) + "/");

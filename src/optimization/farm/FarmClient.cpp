@@ -12,12 +12,14 @@ std::string placeOf(const ServerAddress& server) { return server.host + ':' + st
 
 }  // namespace
 
-FarmClient::FarmClient(const ServerAddress& server, const std::string& name)
+FarmClient::FarmClient(const ServerAddress& server, const std::string& name,
+                       const std::function<bool()>& stopped)
     : place_("the optimisation server at " + placeOf(server)),
       socket_(connectTo(server.host, server.port), maxLine, mostUnsent) {
   socket_.send(text(Hello{Hello::Role::worker, name, server.token}));
   for (double waited = 0; welcome_.task.empty() && over_.empty(); waited += 0.1) {
     if (waited > patience) throw std::runtime_error(place_ + " says nothing");
+    if (stopped && stopped()) throw std::runtime_error(place_ + " had said nothing before the stop");
     socket_.wait(0.1);
     while (take()) {
     }

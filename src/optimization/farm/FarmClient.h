@@ -1,4 +1,5 @@
 #pragma once
+#include <functional>
 #include <string>
 
 #include "optimization/farm/LineSocket.h"
@@ -18,8 +19,9 @@ struct ServerAddress {
 /// reached, goes away, refuses this client or sends nonsense.
 class FarmClient final : public ParameterSource {
 public:
-  /// Connects, says its name and waits for the server's welcome.
-  FarmClient(const ServerAddress& server, const std::string& name);
+  /// Connects, says its name and waits for the server's welcome, or until `stopped`. Throws
+  /// std::runtime_error.
+  FarmClient(const ServerAddress& server, const std::string& name, const std::function<bool()>& stopped = {});
 
   const Welcome& welcome() const { return welcome_; }
   std::optional<Trial> next(double seconds) override;

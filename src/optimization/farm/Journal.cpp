@@ -8,10 +8,10 @@
 #include <cerrno>
 #include <cmath>
 #include <cstring>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
+#include "framework/FileLines.h"
 #include "framework/Json.h"
 
 namespace plumbline::farm {
@@ -55,11 +55,12 @@ Journal::~Journal() {
 }
 
 void Journal::read(const std::string& mark, const std::function<void(const JournalEntry&)>& entry) {
-  std::ifstream file(path_, std::ios::binary);
-  std::string line;
   std::streamoff good = 0;
   bool begun = false;
-  for (long number = 1; std::getline(file, line) && !file.eof(); ++number) {
+  // What is not read is cut off below: only a line without its end may be.
+  FileLines lines(path_);
+  std::string line;
+  for (long number = 1; lines.next(line) && lines.whole(); ++number) {
     const std::string where = path_ + ':' + std::to_string(number) + ": ";
     try {
       const json value = parseJson(line, JsonLimits{.depth = 4, .bytes = maxLine});
@@ -81,7 +82,7 @@ void Journal::read(const std::string& mark, const std::function<void(const Journ
                                "; remove the line and all below it to continue from there");
     }
     begun = true;
-    good = file.tellg();
+    good = lines.end();
   }
   if (::ftruncate(fd_, good) != 0)
     throw std::runtime_error("cannot write " + path_ + ": " + std::strerror(errno));

@@ -1,7 +1,6 @@
 #include "simulation/world/EffectFile.h"
 
 #include <cstdio>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
@@ -9,6 +8,7 @@
 #include "framework/ConfigFile.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Json.h"
+#include "framework/ReadFile.h"
 #include "framework/SingleLine.h"
 
 namespace plumbline::simulation {
@@ -79,11 +79,14 @@ std::vector<EffectSetting> effectsOfAnswer(const std::string& text, const std::s
 /// reports.
 std::optional<std::string> jsonIn(const std::string& path) {
   constexpr std::size_t most = std::size_t{64} << 20;
-  std::ifstream file(path, std::ios::binary);
-  char first = 0;
-  if (!file || !(file >> first) || first != '{') return std::nullopt;
-  std::string text(1, first);
-  for (char c = 0; text.size() <= most && file.get(c);) text += c;
+  std::string text;
+  try {
+    text = readFile(path, most);
+  } catch (const FileProblem&) {
+    return std::nullopt;
+  }
+  const std::size_t first = text.find_first_not_of(" \t\n\v\f\r");
+  if (first == std::string::npos || text[first] != '{') return std::nullopt;
   return text;
 }
 

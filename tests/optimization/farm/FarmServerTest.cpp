@@ -141,6 +141,18 @@ TEST(FarmServer, wantsTheTokenThatItWasGiven) {
   evaluate(client);
 }
 
+TEST(FarmServer, isNotWaitedForOnceAClientIsStopped) {
+  int port = 0, asked = 0;
+  const int silent = listenOn("127.0.0.1", 0, port);
+  EXPECT_EQ(
+      errorOf([&] {
+        FarmClient client({"127.0.0.1", port, ""}, "one", [&asked] { return ++asked > 2; });
+      }),
+      "the optimisation server at 127.0.0.1:" + std::to_string(port) + " had said nothing before the stop");
+  EXPECT_EQ(asked, 3);
+  close(silent);
+}
+
 TEST(FarmServer, tellsItsStatus) {
   Search farmed = serverSearch(2);
   Running running(farmed);

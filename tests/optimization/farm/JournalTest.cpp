@@ -65,6 +65,12 @@ protected:
   std::string path;
 };
 
+// What is behind a line that cannot be read would be cut off otherwise.
+TEST_F(JournalTest, aFileThatCannotBeReadStaysAsItIs) {
+  path = "/proc/self/mem";
+  EXPECT_EQ(errorOf("mark"), "/proc/self/mem: cannot be read: Input/output error");
+}
+
 TEST_F(JournalTest, aSearchThatIsKilledAnywhereEndsAsIfItHadNotBeen) {
   Search undisturbed = keptSearch();
   {
