@@ -50,7 +50,7 @@ match() {
 # With what each module takes on the way to a goal.
 graph() {
   bin/simulator --port 0 --monitor-port 0 --ports-file "$work/graphPorts.json" --sync --kickoff-after 2 --seed 1 --max-seconds 30 \
-    > "$work/simulator.log" &
+    > "$work/simulator.log" 2>&1 &
   server=$!
   until [[ -s $work/graphPorts.json ]]; do kill -0 $server || fail "$(cat "$work/simulator.log")"; sleep 0.1; done
   bin/agent --port "$(sed -n 's/.*"agent": \([0-9]*\).*/\1/p' "$work/graphPorts.json")" --graph "$work/modules.svg" --timing \
