@@ -138,7 +138,7 @@ fault() {
   done
   debug=$(sed -n 's/.*debug port \(127.0.0.1:[0-9]*\):.*/\1/p' "$work/fault.log")
   bin/rdb "$debug" --exec "set r:GameState.playMode 3" --exec "set c:BallLocator.forgetSeconds 0.01"
-  node tests/e2e/web/agent_moment.mjs "$(sed -n 's#.*page \(http://localhost:[0-9]*/\)$#\1#p' "$work/fault.log")" "$work/fault.jpg" "$shown" 5 \
+  node tests/e2e/web/agent_moment.mjs "$(sed -n 's#.*page \(http://localhost:[0-9]*/\)$#\1#p' "$work/fault.log")" "$work/fault.jpg" "$shown" 5 BallLocator moveToPos \
     > "$work/look.log" 2>&1 || fail "the browser: $(tail -3 "$work/look.log")"
   LC_ALL=C.UTF-8 XDG_STATE_HOME="$work/state" "${terminal[@]}" new-session -d -x 108 -y 24 "bin/rdb $debug"
   sleep 1

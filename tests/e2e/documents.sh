@@ -96,7 +96,7 @@ goesOn() { # page, which and how, file
     set +m
     running+=($!) commands+=("$line")
     sleep 2
-    [[ ! $which ]] || waitFor [ -s "$scratch/log$ran" ] # the next command may talk to it
+    [[ ! $which && $2 != *alone* ]] || waitFor [ -s "$scratch/log$ran" ] # the next command may talk to it
   done < "$3"
 }
 
