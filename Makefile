@@ -61,8 +61,8 @@ web:
 
 # The pictures and the sample output of README and doc/, by the commands that stand beside them.
 pictures: packages
-	@$(MAKE) SimRelease
-	@scripts/install_packages.sh scripts/packages-test.txt
+	@scripts/install_packages.sh scripts/packages-test.txt scripts/packages-bench.txt
+	@$(MAKE) SimRelease SimRelease-bench-walking
 	@scripts/build_page.sh
 	@scripts/make_pictures.sh $(ARGS)
 
@@ -254,7 +254,7 @@ installCommand = cmake --install build/SimRelease/cmake $(if $(PREFIX),--prefix 
 debCommand = cpack --config build/SimRelease/cmake/CPackConfig.cmake
 
 thread: packages
-	@scripts/run_tests.sh SimThread $(or $(AREAS),framework inspect dds record pages)
+	@scripts/run_tests.sh SimThread $(or $(AREAS),framework inspect dds record pages web optimization tunnel watch)
 
 coverage: packages
 	@scripts/coverage.sh $(AREAS)

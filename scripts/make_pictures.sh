@@ -1,14 +1,15 @@
 #!/usr/bin/env bash
 # Makes the pictures of doc/img/ and README's sample output anew, by the commands that stand beside them there; `make
 # pictures` builds first what this needs.
-#   scripts/make_pictures.sh [goal] [match] [graph] [floors] [report] [agent] [fault]   all, if none is named; report takes some minutes
+#   scripts/make_pictures.sh [goal] [match] [graph] [floors] [walk] [report] [agent] [fault]   all, if none is named; report takes some
+# minutes. Times in the graph of modules are true on a machine that does nothing else.
 # Example: scripts/make_pictures.sh goal
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 fail() { echo "make_pictures.sh: $*" >&2; exit 2; }
 wanted=("$@")
-((${#wanted[@]})) || wanted=(goal match graph floors report agent fault)
+((${#wanted[@]})) || wanted=(goal match graph floors walk report agent fault)
 work=$(mktemp -d)
 server=""
 trap '[[ $server ]] && kill "$server" 2> /dev/null; rm -rf "$work"' EXIT
@@ -46,8 +47,19 @@ match() {
   put "$work/match.jpg" webmonitor.jpg
 }
 
+# With what each module takes on the way to a goal.
 graph() {
-  bin/agent --graph "$work/modules.svg"
+  bin/simulator --port 0 --monitor-port 0 --ports-file "$work/graphPorts.json" --sync --kickoff-after 2 --seed 1 --max-seconds 30 \
+    > "$work/simulator.log" 2>&1 &
+  server=$!
+  until [[ -s $work/graphPorts.json ]]; do kill -0 $server || fail "$(cat "$work/simulator.log")"; sleep 0.1; done
+  bin/agent --port "$(sed -n 's/.*"agent": \([0-9]*\).*/\1/p' "$work/graphPorts.json")" --graph "$work/modules.svg" --timing \
+    > "$work/graph.log" 2>&1 &
+  local agent=$!
+  wait $server || fail "$(cat "$work/simulator.log")"
+  server=""
+  kill -INT $agent
+  wait $agent || fail "the agent: $(tail -1 "$work/graph.log")"
   put "$work/modules.svg" modules.svg
 }
 
@@ -56,11 +68,22 @@ floors() {
   put "$work/floors.svg" floors.svg
 }
 
+# The page of `make bench-walk`, of one robot and a few runs, at the figure that shows how the walk is planned.
+walk() {
+  build/SimRelease/bench/walking 2 0.1 20 --robots type0 --sections estimate --name walk-picture > "$work/walk.log" 2>&1 ||
+    fail "$(tail -1 "$work/walk.log")"
+  look "file://$PWD/build/bench/walk-picture.html" "$work/walk.png" 1240 740 1 \
+    "[...document.querySelectorAll('figure')].find(f => f.textContent.includes('Figures 4.5')).scrollIntoView()"
+  put "$work/walk.png" walk-page.png
+}
+
+# By README's own commands.
 report() {
-  bin/gap record --battery hang --secret 7 -o "$work/runs" > /dev/null
-  bin/gap diagnose "$work/runs" --json "$work/answer.json" > /dev/null
-  bin/gap report "$work/answer.json" -o "$work/report.html" > /dev/null
-  look "file://$work/report.html" "$work/report.png" 1240 1000 4
+  sed -n '/^bin\/gap record --battery/,/^bin\/gap report/p' README.md > "$work/report.sh"
+  grep -q 'gap report' "$work/report.sh" || fail "README has no commands of a diagnosis"
+  ln -s "$PWD/bin" "$work/bin"
+  (cd "$work" && bash -e report.sh) > "$work/report.log" 2>&1 || fail "$(tail -1 "$work/report.log")"
+  look "file://$work/report.html" "$work/report.png" 1240 1330 4
   put "$work/report.png" gap-report.png
 }
 
@@ -120,7 +143,7 @@ fault() {
   done
   debug=$(sed -n 's/.*debug port \(127.0.0.1:[0-9]*\):.*/\1/p' "$work/fault.log")
   bin/rdb "$debug" --exec "set r:GameState.playMode 3" --exec "set c:BallLocator.forgetSeconds 0.01"
-  node tests/e2e/web/agent_moment.mjs "$(sed -n 's#.*page \(http://localhost:[0-9]*/\)$#\1#p' "$work/fault.log")" "$work/fault.jpg" "$shown" 5 \
+  node tests/e2e/web/agent_moment.mjs "$(sed -n 's#.*page \(http://localhost:[0-9]*/\)$#\1#p' "$work/fault.log")" "$work/fault.jpg" "$shown" 5 BallLocator moveToPos \
     > "$work/look.log" 2>&1 || fail "the browser: $(tail -3 "$work/look.log")"
   LC_ALL=C.UTF-8 XDG_STATE_HOME="$work/state" "${terminal[@]}" new-session -d -x 108 -y 24 "bin/rdb $debug"
   sleep 1
@@ -144,7 +167,7 @@ fault() {
 
 for name in "${wanted[@]}"; do
   case $name in
-    goal | match | graph | floors | report | agent | fault) "$name" ;;
-    *) fail "no picture '$name'; there is goal, match, graph, floors, report, agent, fault" ;;
+    goal | match | graph | floors | walk | report | agent | fault) "$name" ;;
+    *) fail "no picture '$name'; there is goal, match, graph, floors, walk, report, agent, fault" ;;
   esac
 done

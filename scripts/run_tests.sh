@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Runs tests and says what failed.
 #   scripts/run_tests.sh --all              runs everything: scripts and what computes for long with SimRelease, the
-#                                           other test programs with SimSanitize
+#                                           other test programs and some of the scripts with SimSanitize
 #   scripts/run_tests.sh [TARGET] AREA...   builds and runs the tests of tests/AREA with SimRelease or TARGET
 # Logs go to build/<target>/logs/. The last line is "N passed, N failed". With --all up to three tests that failed while
 # others ran are repeated alone, and the second run counts: a busy machine must not spoil the results of the other
@@ -18,7 +18,11 @@ cpuSeconds=${TEST_CPU_SECONDS:-600} # of one program or script: what it computes
 timeout=${TEST_TIMEOUT:-3600} # seconds until one that waits for ever is stopped
 testsPerPart=100 longPerPart=20
 longAreas=(diagnosis fidelity) # seconds per test, five times as many under the sanitizers, which see the same code in shorter ones
+# Scripts that sanitized programs play, too: those that start most programs, with wrong input and with several at once.
+sanitizedScripts=(e2e/bad_input.sh e2e/optserver.sh)
+sanitizedPrograms=(agent game gap optimizewalk optserver optworker simplemonitor simulator watchgame webmonitor)
 passed=0 failed=0 programAreas=() # empty: all
+scriptsOfTarget() { [[ $1 == SimRelease ]]; } # $1 target, $2 script: whether it is played with that target's programs
 failures=() unsteady=()
 secondRuns=0 # of each target: how many tests that failed run again alone
 progress=""
@@ -72,7 +76,8 @@ runOne() { # $1 target, $2 kind, $3 path, $4 name, $5 $6 which part of how many
     TMPDIR=$(mktemp -d -p "$scratch")
     timeout -k 10 "$timeout" "${steady[@]}" "$3" --gtest_brief=1 --gtest_color=no "--gtest_output=xml:$log.xml" > "$log" 2>&1 < /dev/null
   else
-    timeout -k 10 "$timeout" bash "$3" > "$log" 2>&1 < /dev/null
+    [[ $1 == *Sanitize* ]] && local -x ASAN_OPTIONS=${ASAN_OPTIONS:-detect_leaks=0} || steady=()
+    timeout -k 10 "$timeout" "${steady[@]}" bash "$3" > "$log" 2>&1 < /dev/null
   fi
   status=$?
   end=$(date +%s%N)
@@ -91,7 +96,7 @@ runOne() { # $1 target, $2 kind, $3 path, $4 name, $5 $6 which part of how many
   echo "$status ${good:-0} ${bad:-1} $(awk "BEGIN{print ($end - $start) / 1e9}") $skipped" > "$log.result"
 }
 
-# Runs the tests of one target: test programs, then shell tests (SimRelease only), as many at once as jobs.
+# Runs the tests of one target: test programs, then shell tests that it plays, as many at once as jobs.
 runTarget() { # $1 target, $2... areas
   local target=$1 area path names=() kinds=() paths=() part=() parts=() i p n log
   shift
@@ -104,8 +109,9 @@ runTarget() { # $1 target, $2... areas
         names+=("$area$( ((n > 1)) && echo " $((p + 1)) of $n")") kinds+=(program) paths+=("$path") part+=($p) parts+=($n)
       done
     fi
-    if [[ $target == SimRelease && -d tests/$area ]]; then
+    if [[ -d tests/$area ]]; then
       while read -r path; do
+        scriptsOfTarget "$target" "${path#tests/}" || continue
         names+=("${path#tests/}") kinds+=(script) paths+=("$path") part+=(0) parts+=(1)
       done < <(find "tests/$area" -name '*.sh' | LC_ALL=C sort)
     fi
@@ -188,8 +194,9 @@ if [[ ${1-} == --all ]]; then
   check sizes scripts/check_sizes.sh
   check sentences scripts/check_sentences.sh
   mapfile -t areas < <(areasOf)
-  # The programs as they are used play their scripts; test programs run under the sanitizers, which see more. To build
-  # them a second time would cost a third of the whole: scripts/run_tests.sh SimRelease AREA... does it.
+  # The programs as they are used play their scripts, a few of them the sanitized programs, too. Test programs run under the
+  # sanitizers, which see more. To build them a second time would cost a third of the whole: scripts/run_tests.sh
+  # SimRelease AREA... does it.
   programAreas=("${longAreas[@]}")
   buildTests SimRelease all "${longAreas[@]/#/test-}" && runTarget SimRelease "${areas[@]}"
   programAreas=() goals=() short=()
@@ -203,6 +210,10 @@ if [[ ${1-} == --all ]]; then
     # The test programs alone: what scripts start is the release's.
     [[ $(find "tests/$area" -name '*.cpp' -print -quit) ]] && goals+=("test-$area")
   done
+  for path in "${sanitizedScripts[@]}"; do
+    [[ -f tests/$path ]] && goals+=("${sanitizedPrograms[@]}") && break
+  done
+  scriptsOfTarget() { [[ $1 == SimRelease || " ${sanitizedScripts[*]} " == *" $2 "* ]]; }
   buildTests SimSanitize "${goals[@]}" && runTarget SimSanitize "${short[@]}"
 else
   target=SimRelease

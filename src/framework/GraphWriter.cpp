@@ -110,7 +110,8 @@ private:
 
 constexpr const char* legend =
     "  labelloc=b;\n  label=\"box: module    ellipse: representation    full line: REQUIRES, PROVIDES    "
-    "grey: REQUIRES_IF_PROVIDED    dashed: USES    dotted: copy between threads\";\n";
+    "grey: REQUIRES_IF_PROVIDED    dashed: USES    dotted: copy between threads";
+constexpr const char* timesLegend = "    us: mean time in a cycle, waiting included";
 
 /// Returns what went wrong or an empty string.
 std::string writeFile(const std::string& path, const std::string& text) {
@@ -142,7 +143,7 @@ std::string graphText(const std::vector<ThreadPlan>& threads, const ModuleTimes&
   std::string text =
       "digraph modules {\n  node [fontname=\"Helvetica\"];\n  graph [fontname=\"Helvetica\", rankdir=LR, "
       "ranksep=0.4, nodesep=0.12];\n";
-  text += legend;
+  text += legend + std::string(times.empty() ? "" : timesLegend) + "\";\n";
   for (const ThreadPlan& thread : threads) text += ThreadGraph(thread, times).text();
   for (const ThreadPlan& thread : threads) {
     for (const CopyPlan& copy : thread.copies) {

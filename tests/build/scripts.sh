@@ -311,6 +311,13 @@ log=$(all)
 expect "a failure stays one: status" $? 1
 expect "a failure stays one: last line" "$(tail -1 <<< "$log")" "2 passed, 1 failed"
 rm tests/math/unsteady.sh ran
+# Some scripts are played by sanitized programs as well.
+sed -i 's/^sanitizedScripts=.*/sanitizedScripts=(math\/good.sh)/; s/^sanitizedPrograms=.*/sanitizedPrograms=(tool)/' scripts/run_tests.sh
+printf '#!/usr/bin/env bash\necho "$PLUMBLINE_BIN"; exec "$PLUMBLINE_BIN/tool"\n' > tests/math/good.sh
+log=$(all)
+expect "sanitized programs: last line" "$(tail -1 <<< "$log")" "3 passed, 0 failed"
+expect "sanitized programs: which" "$(head -1 build/SimSanitize/logs/math-good.sh.log)" "$project/build/SimSanitize/bin"
+expect "the release's programs, too" "$(head -1 build/SimRelease/logs/math-good.sh.log)" "$project/bin"
 cp "$repository"/scripts/run_tests.sh scripts/
 # A test program that dies counts as failed.
 printf '#include <gtest/gtest.h>\n#include <cstdlib>\nTEST(One, dies) { std::abort(); }\n' > tests/math/OneTest.cpp

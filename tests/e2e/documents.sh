@@ -2,14 +2,22 @@
 # Every command block of README, tutorials and how-to pages is run as it stands, page by page, in a folder of its own that looks
 # like the tree. A comment before a block says otherwise:
 #   <!-- test: goes on -->       each command stays in the background until the page's end; Ctrl-C then ends it within a second
+#   <!-- test: goes on 1 3 -->   commands 1 and 3 of the block stay, the others are run
+#   <!-- test: goes on 1, terminal 2 -->     and command 2 has a terminal, in which Ctrl-C is pressed after a second
+#   <!-- test: goes on instead -->     first Ctrl-C ends the command of the same program that goes on
+#   <!-- test: goes on alone -->       first Ctrl-C ends all that goes on, before each command
 #   <!-- test: file NAME -->     the block is what NAME holds
 #   <!-- test: not run: WHY -->  needs what a test has not
-# DOCUMENTS="PAGE..." runs those pages alone.
-[[ ${PLUMBLINE_SLOW-} || ${DOCUMENTS-} ]] || { echo "left out: it takes minutes; make check runs it"; exit 0; }
+# README and the first tutorial are run in every test run, all pages by make check; DOCUMENTS="PAGE..." runs those pages alone.
+pages=(${DOCUMENTS:-README.md doc/tutorials/first-goal.md})
+[[ ${PLUMBLINE_SLOW-} && ! ${DOCUMENTS-} ]] && pages=(README.md doc/tutorials/*.md doc/how-to/*.md)
+# The pages name the usual ports. In a network of its own nobody else has them, and no test that runs beside is disturbed.
+if [[ ! ${DOCUMENTS_NETWORK-} ]] && command -v ip > /dev/null && unshare -rn ip link set lo up 2> /dev/null; then
+  DOCUMENTS_NETWORK=own exec unshare -rn bash -c 'ip link set lo up && exec bash "$0"' "$0"
+fi
 source "$(dirname "$0")/assert.bash"
 root=$PWD
 scripts/build_page.sh > /dev/null 2>&1 || fail "the pages cannot be built: scripts/build_page.sh"
-pages=(${DOCUMENTS:-README.md doc/tutorials/*.md doc/how-to/*.md})
 
 # Blocks of a page ($1) as files NUMBER.mode, NUMBER.text in a folder ($2).
 takeBlocks() {
@@ -48,6 +56,52 @@ endOf() { # pid, command: Ctrl-C
   ((passed <= limit)) || fail "'$2' ends $passed ms after Ctrl-C, not within $limit"
 }
 
+runBlock() { # page, file
+  echo "$1: $(head -1 "$2")"
+  (cd "$folder" && timeout 1800 bash -e "$2") > "$scratch/log" 2>&1 < /dev/null ||
+    fail "$1: status $? of:"$'\n'"$(< "$2")"$'\n'"$(tail -5 "$scratch/log")"
+  ran=$((ran + 1))
+}
+endRunning() { # page, program [all]: those that go on, the last first
+  local i
+  for ((i = ${#running[@]} - 1; i >= 0; --i)); do
+    [[ ! ${2-} || ${commands[i]%% *} == "$2" ]] || continue
+    endOf "${running[i]}" "$1: ${commands[i]}"
+    unset "running[i]" "commands[i]"
+  done
+  running=("${running[@]}") commands=("${commands[@]}")
+}
+goesOn() { # page, which and how, file
+  local line number=0 which terminals
+  which=$(sed 's/,.*//; s/[a-z]//g; s/ *$//' <<< "$2") terminals=$(sed -n 's/.*, terminal//p' <<< "$2")
+  while IFS= read -r line; do
+    [[ $line == '#'* ]] && continue
+    number=$((number + 1))
+    [[ $2 != *alone* ]] || endRunning "$1"
+    [[ $2 != *instead* ]] || endRunning "$1" "${line%% *}"
+    if [[ "$terminals " == *" $number "* ]]; then
+      printf "(sleep 2; printf '\\\\003'; sleep 3) | script -qec '%s' /dev/null\n" "${line%%#*}" > "$scratch/line"
+      runBlock "$1" "$scratch/line"
+      continue
+    fi
+    if [[ $which && "$which " != *" $number "* ]]; then
+      echo "$line" > "$scratch/line"
+      runBlock "$1" "$scratch/line"
+      continue
+    fi
+    echo "$1: $line"
+    ran=$((ran + 1))
+    set -m
+    (cd "$folder" && exec bash -c "exec $line") > "$scratch/log$ran" 2>&1 < /dev/null &
+    set +m
+    running+=($!) commands+=("$line")
+    sleep 2
+    [[ ! $which && $2 != *alone* ]] || waitFor [ -s "$scratch/log$ran" ] # the next command may talk to it
+  done < "$3"
+}
+
+state() { git status --porcelain --untracked-files=normal 2> /dev/null || true; }
+before=$(state)
 ran=0 left=0
 for page in "${pages[@]}"; do
   folder=$scratch/${page//\//-} blocks=$scratch/blocks-${page//\//-}
@@ -59,27 +113,14 @@ for page in "${pages[@]}"; do
     [[ -e $mode ]] || continue
     text=${mode%.mode}.text
     case $(< "$mode") in
-      run)
-        echo "$page: $(head -1 "$text")"
-        (cd "$folder" && timeout 900 bash -e "$text") > "$scratch/log" 2>&1 < /dev/null ||
-          fail "$page: status $? of:"$'\n'"$(< "$text")"$'\n'"$(tail -5 "$scratch/log")"
-        ran=$((ran + 1)) ;;
-      'goes on')
-        while IFS= read -r line; do
-          echo "$page: $line"
-          ran=$((ran + 1))
-          set -m
-          (cd "$folder" && exec bash -c "exec $line") > "$scratch/log$ran" 2>&1 < /dev/null &
-          set +m
-          running+=($!) commands+=("$line")
-          sleep 2
-        done < "$text" ;;
+      run) runBlock "$page" "$text" ;;
+      'goes on'*) mode=$(< "$mode"); goesOn "$page" "${mode#goes on}" "$text" ;;
       'file '*) name=$(< "$mode"); cp "$text" "$folder/${name#file }" ;;
       'not run: '*) left=$((left + 1)) ;;
       *) fail "$page: nobody knows <!-- test: $(< "$mode") -->" ;;
     esac
   done
-  for ((i = ${#running[@]} - 1; i >= 0; --i)); do endOf "${running[i]}" "$page: ${commands[i]}"; done
+  endRunning "$page"
 done
-[[ -z $(git status --porcelain --untracked-files=normal 2> /dev/null) || ${DOCUMENTS-} ]] || fail "left untracked: $(git status --porcelain)"
+[[ $(state) == "$before" ]] || fail "left in the tree: $(diff <(echo "$before") <(state))"
 echo "$ran blocks and commands ran, $left need what a test has not"

@@ -80,6 +80,8 @@ TEST_F(GraphWriterTest, timesStandInTheModules) {
   const std::string text = graphText(twoThreads(), {{"BetaFromAlpha", 12.34}});
   EXPECT_NE(text.find(R"([label="BetaFromAlpha\n12.3 us", shape=box])"), std::string::npos);
   EXPECT_NE(text.find(R"([label="AlphaFromLastGamma", shape=box])"), std::string::npos);
+  EXPECT_NE(text.find("copy between threads    us: mean time in a cycle, waiting included\";\n"),
+            std::string::npos);
 }
 
 TEST_F(GraphWriterTest, anAreaIsTheFolderOfAModule) {

@@ -11,6 +11,8 @@ try {
   await until('the page is put together', () => browser.run("document.body?.dataset.ready === 'yes'"));
   const sentence = await browser.run("document.getElementById('sentence').textContent");
   check(sentence.includes(words), `the verdict says '${words}': '${sentence}'`);
+  const tooWide = "[...document.querySelectorAll('.tile b')].filter((b) => b.scrollWidth > b.clientWidth).map((b) => b.textContent)";
+  check((await browser.run(tooWide)).length === 0, `numbers and names fit their tiles: ${await browser.run(tooWide)}`);
   const painted = await browser.run(`[...document.querySelectorAll('.uplot canvas')].map((canvas) => {
     const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
     const colours = new Set();
