@@ -3,10 +3,10 @@
 #   scripts/run_tests.sh --all              runs everything: scripts and what computes for long with SimRelease, the
 #                                           other test programs and some of the scripts with SimSanitize
 #   scripts/run_tests.sh [TARGET] AREA...   builds and runs the tests of tests/AREA with SimRelease or TARGET
-# Logs go to build/<target>/logs/. The last line is "N passed, N failed". With --all up to three tests that failed while
+# Logs go to build/<target>/logs/. The last line is "N passed, N failed[; N of ...]". With --all up to three tests that failed while
 # others ran are repeated alone, and the second run counts: a busy machine must not spoil the results of the other
-# tests. Which they were is told before the last line, and what failed first stays in LOG.first; SECOND_RUN=no turns it
-# off. Examples:
+# tests. A list before the last line and the last line itself say so, and what failed first stays in LOG.first;
+# SECOND_RUN=no turns it off. Examples:
 #   scripts/run_tests.sh framework robot
 #   scripts/run_tests.sh SimSanitize web
 set -uo pipefail
@@ -23,7 +23,7 @@ sanitizedScripts=(e2e/bad_input.sh e2e/optserver.sh)
 sanitizedPrograms=(agent game gap optimizewalk optserver optworker simplemonitor simulator watchgame webmonitor)
 passed=0 failed=0 programAreas=() # empty: all
 scriptsOfTarget() { [[ $1 == SimRelease ]]; } # $1 target, $2 script: whether it is played with that target's programs
-failures=() unsteady=()
+failures=() twice=() unsteady=0
 secondRuns=0 # of each target: how many tests that failed run again alone
 progress=""
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
@@ -141,7 +141,11 @@ runTarget() { # $1 target, $2... areas
     log=$(logOf "$target" "${names[i]}")
     cp "$log" "$log.first"
     (runOne "$target" "${kinds[i]}" "${paths[i]}" "${names[i]}" "${part[i]}" "${parts[i]}")
-    isGood "$target" "${names[i]}" && unsteady+=("$target ${names[i]}: $log.first")
+    if isGood "$target" "${names[i]}"; then
+      twice+=("passed  $target ${names[i]}: $log.first") unsteady=$((unsteady + 1))
+    else
+      twice+=("failed  $target ${names[i]}: $log.first")
+    fi
     accountFor "$target" "${names[i]}"
   done
 }
@@ -233,11 +237,11 @@ for log in "${failures[@]}"; do
   grep -nE 'Failure|FAILED|ERROR|error|stopped after|\.sh:|runtime error' "$log" | head -20
   tail -5 "$log"
 done
-if ((${#unsteady[@]})); then
+if ((${#twice[@]})); then
   echo
-  echo "Passed only when run alone, after a failure beside other tests; what failed first is in:"
-  printf '  %s\n' "${unsteady[@]}"
+  echo "Failed beside other tests and ran once more alone; the result of the second run, and the log of the first:"
+  printf '  %s\n' "${twice[@]}"
 fi
 echo
-echo "$passed passed, $failed failed"
+echo "$passed passed, $failed failed$( ((unsteady)) && echo "; $unsteady of the programs and scripts passed only in a second run")"
 ((failed == 0 && passed > 0))

@@ -13,7 +13,7 @@ mkdir "$scratch/full"
 if mount -t tmpfs -o size=16k none "$scratch/full" 2> /dev/null; then
   head -c 16k /dev/zero > "$scratch/full/rest" 2> /dev/null || true
   got=0
-  text=$(timeout 20 "$bin/game" --output "$scratch/full/run" 2>&1 > /dev/null) || got=$?
+  text=$(within 20 "$bin/game" --output "$scratch/full/run" 2>&1 > /dev/null) || got=$?
   umount "$scratch/full"
   expectEqual "$got" 2 "status on a full disk"
   expectEqual "$text" "game: cannot write to $scratch/full/run: No space left on device; give --output another folder" "on a full disk"

@@ -5,7 +5,7 @@ cp -r config "$scratch/config"
 echo 'rollSeconds: 2' > "$scratch/config/OptimizeKick.yaml"
 agent() { # options of the client
   printf '%s\n' "$@" > "$scratch/config/OptimizationClient.yaml"
-  (cd "$scratch" && timeout 300 "$bin/agent" --config "$scratch/config" --crash-log "$scratch/crash.log" --start-simulator \
+  (cd "$scratch" && within 240 "$bin/agent" --config "$scratch/config" --crash-log "$scratch/crash.log" --start-simulator \
     --modules "$scratch/config/platforms/simspark/optimise.cfg" --simulator-option=--sync "${simulator[@]}" 2> agent.err > agent.out)
 }
 simulator=(--simulator-option=--ground-truth)

@@ -24,7 +24,7 @@ monitor=$!
 waitFor grep -q 'drawings on UDP port' "$scratch/webmonitor.log"
 drawingPort=$(sed -n 's/.*UDP port //p' "$scratch/webmonitor.log")
 
-timeout 400 node tests/e2e/web/match.mjs "$(address "$scratch/simulator.log")" "$(address "$scratch/webmonitor.log")" \
+timeout 900 node tests/e2e/web/match.mjs "$(address "$scratch/simulator.log")" "$(address "$scratch/webmonitor.log")" \
   "$agentPort" "$monitorPort" "$drawingPort" "$simulator" build/e2e/web.png || fail "see above; $(tail -1 "$scratch/simulator.log")"
 kill -TERM $monitor
 wait $monitor || fail "webmonitor ended with status $?"
@@ -34,6 +34,6 @@ wait $simulator || fail "simulator ended with status $?"
 "$bin/webmonitor" --replay "$scratch/match.plm" --web-port 0 > "$scratch/replay.log" 2>&1 &
 monitor=$!
 waitFor grep -q 'webmonitor: http' "$scratch/replay.log"
-timeout 180 node tests/e2e/web/replay.mjs "$(address "$scratch/replay.log")" || fail "the replay; see above"
+timeout 900 node tests/e2e/web/replay.mjs "$(address "$scratch/replay.log")" || fail "the replay; see above"
 kill -TERM $monitor
 wait $monitor || fail "webmonitor ended with status $?"

@@ -21,5 +21,5 @@ waitFor grep -q 'page http' "$scratch/agent.err"
 address=$(sed -n 's#.*page \(http://localhost:[0-9]*/\)$#\1#p' "$scratch/agent.err")
 ! grep -q 'debug port' "$scratch/agent.err" || fail "a debug port that nobody asked for"
 
-timeout 300 node tests/e2e/web/agent.mjs "$address" "$drawingPort" "$agent" build/e2e/agent.png || fail "see above; $(tail -2 "$scratch/agent.err")"
+timeout 900 node tests/e2e/web/agent.mjs "$address" "$drawingPort" "$agent" build/e2e/agent.png || fail "see above; $(tail -2 "$scratch/agent.err")"
 wait $agent || fail "agent ended with status $?"

@@ -32,7 +32,7 @@ cp "$scratch/run/evaluations.jsonl" "$scratch/before.jsonl"
 "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/run" --web 0 --show > "$scratch/show.out" 2>&1 &
 server=$!
 waitFor grep -q 'page http' "$scratch/show.out"
-timeout 600 node tests/e2e/web/search.mjs "$(address "$scratch/show.out")" shown build/e2e/search-shown.png || fail "see above; $(tail -3 "$scratch/show.out")"
+timeout 900 node tests/e2e/web/search.mjs "$(address "$scratch/show.out")" shown build/e2e/search-shown.png || fail "see above; $(tail -3 "$scratch/show.out")"
 kill -INT $server
 wait $server || fail "optserver --show ended with status $?"
 cmp "$scratch/before.jsonl" "$scratch/run/evaluations.jsonl" || fail "to look has changed the results"

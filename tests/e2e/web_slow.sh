@@ -12,6 +12,6 @@ node --test tests/e2e/web/*.test.mjs || fail "parts of the page; see above"
 game=$!
 waitFor grep -q 'watch at' "$scratch/game.log"
 url=$(sed -n 's#.*\(http://localhost:[0-9]*/\).*#\1#p' "$scratch/game.log")
-timeout 240 node tests/e2e/web/slow.mjs "$url" build/e2e/web-slow.png || fail "see above; $(tail -1 "$scratch/game.log")"
+timeout 900 node tests/e2e/web/slow.mjs "$url" build/e2e/web-slow.png || fail "see above; $(tail -1 "$scratch/game.log")"
 kill -INT $game
 wait $game || true

@@ -80,17 +80,20 @@ TEST_F(DeafServer, whoListensOnlyIsNotKeptWaitingByWhatItSaid) {
   ASSERT_EQ(monitor.connect("127.0.0.1", port), "");
   const int server = accept(listener, nullptr, nullptr);
   const std::string frame("\0\0\0\1x", 5);
-  const auto begin = std::chrono::steady_clock::now();
-  for (int i = 0; i < 250; ++i) {
+  constexpr int rounds = 250;
+  int slow = 0;
+  for (int i = 0; i < rounds; ++i) {
+    const auto begin = std::chrono::steady_clock::now();
     ASSERT_TRUE(monitor.send("(kickOff Left)"));
     for (int k = 0; k < 3; ++k) {
       ASSERT_EQ(send(server, frame.data(), frame.size(), 0), 5);
       std::string_view message;
-      ASSERT_EQ(monitor.receive(message, 10), Connection::Status::message);
+      ASSERT_EQ(monitor.receive(message, 60), Connection::Status::message);
     }
+    if (std::chrono::steady_clock::now() - begin > std::chrono::milliseconds(20)) ++slow;
   }
-  // Kept waiting 40 ms each time it would take ten seconds.
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+  // Kept waiting, nearly every round would take 40 ms; on a busy machine others hold up some of them.
+  EXPECT_LT(slow, rounds / 2);
   close(server);
 }
 

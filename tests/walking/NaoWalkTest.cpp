@@ -7,7 +7,8 @@ namespace plumbline::walking {
 namespace {
 
 /// The NAO with position servos in the project's own physics, with the walk in config/; slower than the
-/// benchmark asks.
+/// benchmark asks. Bounds are a tenth below the worst of ten runs that began at other headings and after
+/// other waits; the figures beside them are these worst ones.
 class NaoWalk : public testing::Test {
 protected:
   ServoWalker robot{"nao_v5"};
@@ -33,24 +34,24 @@ TEST_F(NaoWalk, isPutDownStanding) {
 
 TEST_F(NaoWalk, walksTenSecondsForward) {
   const Pose2 moved = way(walk(0.1, 0, 0), 10);
-  EXPECT_NEAR(moved.x(), 1.0, 0.2);
-  EXPECT_NEAR(moved.y(), 0, 0.15);
+  EXPECT_NEAR(moved.x(), 1.0, 0.05);  // 0.998 to 1.010
+  EXPECT_NEAR(moved.y(), 0, 0.12);    // 0.082
 }
 
 TEST_F(NaoWalk, walksToEverySide) {
-  EXPECT_LT(way(walk(-0.1, 0, 0), 4).x(), -0.2);
+  EXPECT_LT(way(walk(-0.1, 0, 0), 4).x(), -0.35);  // of 0.4: 0.391
   ASSERT_TRUE(robot.run({}, 2));
-  EXPECT_GT(way(walk(0, 0.08, 0), 4).y(), 0.15);
+  EXPECT_GT(way(walk(0, 0.08, 0), 4).y(), 0.26);  // of 0.32: 0.299
   ASSERT_TRUE(robot.run({}, 2));
-  EXPECT_LT(way(walk(0, -0.08, 0), 4).y(), -0.15);
+  EXPECT_LT(way(walk(0, -0.08, 0), 4).y(), -0.26);  // 0.287
 }
 
 TEST_F(NaoWalk, turnsToBothSides) {
   for (const double direction : {1.0, -1.0}) {
     robot.restart();
     ASSERT_TRUE(robot.run(walk(0, 0, 0.8 * direction), 4));
-    EXPECT_GT(robot.turned() * direction, 4 * 0.8 * 0.6);
-    EXPECT_LT(robot.turned() * direction, 4 * 0.8 * 1.1);
+    EXPECT_GT(robot.turned() * direction, 4 * 0.8 * 0.87);  // 0.966 to 0.976
+    EXPECT_LT(robot.turned() * direction, 4 * 0.8 * 1.05);
   }
 }
 

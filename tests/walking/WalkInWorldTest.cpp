@@ -1,18 +1,38 @@
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
+
 #include "simspark/LeagueRobots.h"
 #include "training/WalkingRobot.h"
 
 namespace plumbline::walking {
 namespace {
 
-/// The robots walk in the simulator with the values in config/. Bounds are a sixth to a quarter below what
-/// the benchmark measures (doc/results/walking.md): a change of a value shows there first, a loss of a third
-/// here.
+/// What a type reached with the values in config/: the worst of six starts at other headings and after other
+/// waits (sideways without single starts of types 2 and 4 that came to 0.55 and 0.47) [m/s, degrees/s].
+struct Reached {
+  double forward, backward, sideways, turn;
+};
+constexpr std::array<Reached, 5> reached{{{0.99, 0.82, 0.66, 124},
+                                          {1.05, 0.85, 0.65, 129},
+                                          {1.00, 0.73, 0.59, 120},
+                                          {1.13, 0.80, 0.67, 125},
+                                          {0.97, 0.75, 0.57, 128}}};
+
+/// The robots walk in the simulator with the values in config/. A loss of an eighth shows here, a smaller one
+/// in the benchmark (doc/results/walking.md). A type that is not in the table has to be as good as the
+/// slowest.
 class WalkInWorld : public testing::TestWithParam<int> {
 protected:
   WalkingRobot robot{GetParam()};
 
+  static double least(double Reached::*what) {
+    constexpr double share = 0.875;
+    if (static_cast<std::size_t>(GetParam()) < reached.size())
+      return share * reached[static_cast<std::size_t>(GetParam())].*what;
+    return share * std::ranges::min(reached, {}, what).*what;
+  }
   static WalkRequest walk(double x, double y, double turn) { return {Vec2(x, y), turn, true}; }
   /// Mean velocity in the robot's own frame over the time.
   Vec2 speed(const WalkRequest& request, double seconds) {
@@ -28,20 +48,20 @@ protected:
 
 TEST_P(WalkInWorld, forward) {
   robot.run(walk(9, 0, 0), 2);
-  EXPECT_GT(speed(walk(9, 0, 0), 4).x(), 0.85);
+  EXPECT_GT(speed(walk(9, 0, 0), 4).x(), least(&Reached::forward));
 }
 
 TEST_P(WalkInWorld, sideways) {
   robot.run(walk(0, 9, 0), 2);
-  EXPECT_GT(speed(walk(0, 9, 0), 3).y(), 0.48);
+  EXPECT_GT(speed(walk(0, 9, 0), 3).y(), least(&Reached::sideways));
   robot.restart();
   robot.run(walk(0, -9, 0), 2);
-  EXPECT_LT(speed(walk(0, -9, 0), 3).y(), -0.48);
+  EXPECT_LT(speed(walk(0, -9, 0), 3).y(), -least(&Reached::sideways));
 }
 
 TEST_P(WalkInWorld, backward) {
   robot.run(walk(-9, 0, 0), 2);
-  EXPECT_LT(speed(walk(-9, 0, 0), 3).x(), -0.6);
+  EXPECT_LT(speed(walk(-9, 0, 0), 3).x(), -least(&Reached::backward));
 }
 
 TEST_P(WalkInWorld, turns) {
@@ -50,7 +70,7 @@ TEST_P(WalkInWorld, turns) {
     ASSERT_TRUE(robot.run(walk(0, 0, 9 * direction), 1));
     const double before = robot.turned();
     ASSERT_TRUE(robot.run(walk(0, 0, 9 * direction), 2));
-    EXPECT_GT(toDegrees(robot.turned() - before) * direction / 2, 75);
+    EXPECT_GT(toDegrees(robot.turned() - before) * direction / 2, least(&Reached::turn));
   }
 }
 

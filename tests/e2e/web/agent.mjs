@@ -90,11 +90,12 @@ try {
   await until('after a reload the same stands there', async () => JSON.stringify((await state())?.panels) === JSON.stringify(before));
   await until('and drawings go on', async () => { const now = await state(); return now?.drawings.length === 6 && now.shapes > 40; });
 
-  const begin = Date.now();
+  // Looks, not seconds: on a busy machine they wait as the agent does.
+  let looks = 0;
   process.kill(Number(agentPid), 'SIGINT');
-  const ended = () => { try { return /^\d+ \(.*\) Z/.test(readFileSync(`/proc/${agentPid}/stat`, 'utf8')); } catch { return true; } };
-  await until('the agent ends', ended, 20);
-  check(Date.now() - begin < 1000, 'an agent with a page ends within a second');
+  const ended = () => { ++looks; try { return /^\d+ \(.*\) Z/.test(readFileSync(`/proc/${agentPid}/stat`, 'utf8')); } catch { return true; } };
+  await until('the agent ends', ended);
+  check(looks <= 11, `an agent with a page ends within ten looks of a tenth of a second: ${looks - 1}`);
   await until('the page says so', async () => !(await state()).online);
   const problems = browser.problems.filter((text) => !/WebSocket|ERR_CONNECTION/.test(text));
   check(problems.length === 0, `no errors on the page ${problems.join('; ')}`);
