@@ -17,7 +17,7 @@ usage: start.sh [options] [HOST] [-- OPTIONS OF bin/agent]
   -t, --team NAME     [$team]
   -n, --players N     numbers 1 to N, 1 to 11 [$players]
   --types "T T ..."   robot types (0 to 4) of numbers 1, 2, ... [${types[*]}]
-  --logs FOLDER       output of each agent; without it there is none
+  --logs FOLDER       output of each agent, its cycles and CPU time (statsN.json), and its exit status (exitN)
   --config FOLDER     configuration [config beside bin]
   --token TOKEN       token of the simulator, if its port is open to other machines
   --wait              start the agents though no server is there yet; they wait for it
@@ -70,6 +70,16 @@ if [[ ! $wait ]] && ! timeout 3 bash -c 'exec 3<> "/dev/tcp/$0/$1"' "$host" "$po
 fi
 [[ $logs ]] && mkdir -p "$logs"
 
+# Runs agent $1, writes its process id into the file $0/pid$1 and, when it has ended, its exit status into $0/exit$1. A signal to end is
+# passed on; where kill.sh has sent it to both, the agent ignores the second one.
+waitForAgent='number=$1
+shift
+trap "kill -TERM \$! 2> /dev/null" TERM INT HUP
+"$@" &
+echo $! > "$0/pid$number"
+while status=0; wait $! || status=$?; kill -0 $! 2> /dev/null; do :; done
+echo $status > "$0/exit$number"'
+
 # Whether a process has its connection to the server.
 isConnected() { # PID
   local inode sockets
@@ -85,14 +95,22 @@ for ((number = 1; number <= players; ++number)); do
   options=(--team "$team" --number "$number" --type "${types[number - 1]}" --host "$host" --port "$port" --monitor-port "$monitor")
   [[ $token ]] && options+=(--token "$token")
   [[ $config ]] && options+=(--config "$config")
-  if [[ $logs ]]; then output=$logs/agent$number.log options+=(--crash-log "$logs/crash$number.log"); else output=/dev/null; fi
+  if [[ $logs ]]; then
+    output=$logs/agent$number.log options+=(--crash-log "$logs/crash$number.log")
+    [[ " $* " == *" --stats"* ]] || options+=(--stats "$logs/stats$number.json")
+    rm -f "$logs"/{pid,exit}$number
+    command=(bash -c "$waitForAgent" "$logs" "$number" "$bin/agent")
+  else
+    output=/dev/null command=("$bin/agent")
+  fi
   # Not hung up with this shell, and not ended by its Ctrl-C.
-  setsid "$bin/agent" "${options[@]}" "${@//\{number\}/$number}" > "$output" 2>&1 < /dev/null &
+  setsid "${command[@]}" "${options[@]}" "${@//\{number\}/$number}" > "$output" 2>&1 < /dev/null &
   agent=$!
   disown
   # One after the other: the server gives places in the order of connecting, so a seed repeats a game. And on the league's
   # server robots that come at once lie on top of each other, and then it hardly goes on.
   for ((look = 0; look < 100; ++look)); do
+    [[ ! $logs || ! -s $logs/pid$number ]] || agent=$(< "$logs/pid$number")
     { [[ $wait ]] || isConnected $agent || ! kill -0 $agent 2> /dev/null; } && break
     sleep 0.02
   done

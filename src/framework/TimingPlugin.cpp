@@ -50,6 +50,17 @@ void TimingPlugin::flush() {
   times_.empty([this](std::size_t step, std::uint64_t taken) { steps_[step].stopwatch->add(taken); });
 }
 
+void TimingPlugin::countLate(std::uint64_t busy, std::uint64_t cpu) {
+  if (cpu_->count() == 1) {
+    firstCpu_.store(cpu);
+    return;
+  }
+  if (cpu > largestCpu_.load(std::memory_order_relaxed)) largestCpu_.store(cpu, std::memory_order_relaxed);
+  const auto isLate = [&](std::uint64_t ns) { return 1e-9 * static_cast<double>(ns) > deadline(); };
+  if (isLate(busy)) lateBusy_.fetch_add(1, std::memory_order_relaxed);
+  if (isLate(cpu)) lateCpu_.fetch_add(1, std::memory_order_relaxed);
+}
+
 void TimingPlugin::cycleFinished(const Duration& duration) {
   const std::uint64_t taken = nanoseconds(duration);
   cycle_->add(taken);
@@ -65,7 +76,9 @@ void TimingPlugin::cycleFinished(const Duration& duration) {
   waits_.clear();
   if (times_.next(duration.end)) flush();
   const std::uint64_t now = threadCpu();
-  cpu_->add(now - cpuBefore_);
+  const std::uint64_t spent = now - cpuBefore_;
+  cpu_->add(spent);
+  countLate(busy, spent);
   cpuBefore_ = now;
 }
 

@@ -51,6 +51,16 @@ public:
   double load() const;
   /// Cycles per second that modules.cfg states; 0: none.
   double rate() const { return rate_; }
+  /// Cycles that were busy for longer, or took more processor time, than deadline(), without the first one,
+  /// in which modules get ready. While programs wait for each other in step, only processor time says who is
+  /// slow.
+  std::uint64_t lateBusy() const { return lateBusy_.load(std::memory_order_relaxed); }
+  std::uint64_t lateCpu() const { return lateCpu_.load(std::memory_order_relaxed); }
+  /// Processor time of the first cycle, and the largest of the others [s].
+  double firstCpu() const { return 1e-9 * static_cast<double>(firstCpu_.load()); }
+  double largestCpu() const { return 1e-9 * static_cast<double>(largestCpu_.load()); }
+  /// The length of a cycle at the thread's rate; without a rate, at the league's 50 Hz [s].
+  double deadline() const { return rate_ > 0 ? 1 / rate_ : 0.02; }
   /// Cycles that were busy for longer than the rate allows.
   std::uint64_t overruns() const { return overruns_.load(std::memory_order_relaxed); }
 
@@ -61,6 +71,7 @@ private:
     if (const std::uint64_t waited = std::min(Waiting::take(), taken); waited > 0)
       addWait(step.index, waited);
   }
+  void countLate(std::uint64_t busy, std::uint64_t cpu);
   void addWait(std::size_t step, std::uint64_t waited);
   /// The step that worked longest in this cycle.
   std::size_t longest() const;
@@ -75,7 +86,8 @@ private:
   std::vector<std::pair<std::size_t, std::uint64_t>> waits_;  ///< in this cycle: step, and how long [ns]
   std::shared_ptr<Stopwatch> cycle_ = std::make_shared<Stopwatch>(), cpu_ = std::make_shared<Stopwatch>(),
                              busy_ = std::make_shared<Stopwatch>();
-  std::atomic<std::uint64_t> overruns_{0}, first_{0}, last_{0};
+  std::atomic<std::uint64_t> lateBusy_{0}, lateCpu_{0}, firstCpu_{0}, largestCpu_{0}, overruns_{0}, first_{0},
+      last_{0};
   std::uint64_t cpuBefore_ = 0;
   std::uint64_t waited_ = 0;  ///< in this cycle [ns]
 };

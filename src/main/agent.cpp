@@ -63,7 +63,8 @@ void declare(CommandLine& app, Options& options, Platform& platform) {
              "draw the module graph to FILE (.svg, .pdf, .png or .dot) and end; with --timing at the end of "
              "the run, with what each module cost");
   app.flag("--parameters", options.parameters, "print a page of all parameters of all modules and end");
-  app.option("--stats", options.stats, "write cycles and CPU per cycle to FILE as JSON at the end");
+  app.option("--stats", options.stats,
+             "write cycles, late ones among them and CPU per cycle to FILE as JSON at the end");
   app.flag("--timing", options.timing, "print a table of the time each module took at the end");
   const CommandOption debug = app.option("--debug", options.debug->server.port,
                                          "open the debug port for bin/rdb; 0: a free one, which is printed")
@@ -107,11 +108,20 @@ void declare(CommandLine& app, Options& options, Platform& platform) {
 }
 
 void writeStats(const Controller& controller, const std::string& path) {
-  const TimingPlugin* timing = controller.timing();
   nlohmann::json json;
-  if (timing) {
+  if (const TimingPlugin* timing = controller.timing()) {
+    double cpu = 0;
+    for (const ThreadPlan& thread : controller.threads())
+      if (const TimingPlugin* other = controller.timing(thread.name)) cpu += other->cpu().total();
+    const auto cycles = static_cast<double>(std::max<std::uint64_t>(1, timing->cpu().count()));
     json["cycles"] = timing->cpu().count();
-    json["cpu_us_per_cycle"] = timing->cpu().mean() * 1e6;
+    json["cpu_us_per_cycle"] = 1e6 * cpu / cycles;
+    json["cpu_us_p99"] = 1e6 * timing->cpu().percentile(0.99);
+    json["cpu_us_max"] = 1e6 * timing->largestCpu();
+    json["first_cycle_cpu_us"] = 1e6 * timing->firstCpu();
+    json["busy_us_p99"] = 1e6 * timing->busy().percentile(0.99);
+    json["late_cycles"] = timing->lateBusy();
+    json["late_cycles_cpu"] = timing->lateCpu();
   }
   writeFile(path, json.dump(2) + "\n");
 }

@@ -1,6 +1,7 @@
 #include "watch/GameCounter.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace plumbline::watch {
@@ -11,6 +12,11 @@ using simspark::TeamSide;
 
 namespace {
 constexpr double standing = 0.9, lying = 0.5;  ///< upward part of the torso's axis
+
+/// Rounded as the recordings of a game are, so that page and table count the same.
+double centimetres(double metres) { return std::round(100 * metres) / 100; }
+
+Vec2 placeOf(const Vec3& position) { return {centimetres(position.x()), centimetres(position.y())}; }
 }  // namespace
 
 void GameCounter::observe(const SceneState& scene) {
@@ -18,6 +24,7 @@ void GameCounter::observe(const SceneState& scene) {
                        scene.playMode != "GameOver";
   countFalls(scene, running);
   countFouls(scene);
+  countPasses(scene);
   if (running) {
     countKicks(scene);
   } else if (!lastTime_ || scene.time != *lastTime_ || scene.ball.head<2>() != lastBall_) {
@@ -55,6 +62,14 @@ void GameCounter::countFouls(const SceneState& scene) {
   lastMode_ = scene.playMode;
   if (lastMode_.ends_with("free_kick_left")) ++freeKicksAgainst_[index(TeamSide::right)];
   if (lastMode_.ends_with("free_kick_right")) ++freeKicksAgainst_[index(TeamSide::left)];
+}
+
+void GameCounter::countPasses(const SceneState& scene) {
+  if (!touches_) touches_.emplace(scene.field.length / 2, scene.field.goalWidth / 2);
+  BallMoment moment{.time = scene.time, .mode = scene.playMode, .ball = placeOf(scene.ball)};
+  for (const SceneRobot& robot : scene.robots)
+    moment.players.push_back({robot.side, robot.unum, placeOf(robot.T_world_torso.translation())});
+  touches_->observe(std::move(moment));
 }
 
 void GameCounter::countKicks(const SceneState& scene) {

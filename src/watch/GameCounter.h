@@ -8,10 +8,11 @@
 #include <utility>
 
 #include "simspark/SceneState.h"
+#include "watch/BallTouches.h"
 
 namespace plumbline::watch {
 
-/// Counts what happens in a game from the scenes a monitor gets: falls, kicks and fouls of each team.
+/// Counts what happens in a game from the scenes a monitor gets: falls, kicks, passes and fouls of each team.
 /// Positions there are exact to 5 mm, so what is counted is what was to be seen, on any server.
 class GameCounter {
 public:
@@ -32,6 +33,11 @@ public:
   }
   /// Free kicks that the other team got, because a player touched the ball twice at an own restart.
   int freeKicksAgainst(simspark::TeamSide side) const { return freeKicksAgainst_[index(side)]; }
+  /// Passes of a team, made and those that a mate gets; see BallTouches.
+  int passesMade(simspark::TeamSide side) const { return touches_ ? touches_->passesMade(side) : 0; }
+  int passesCompleted(simspark::TeamSide side) const {
+    return touches_ ? touches_->passesCompleted(side) : 0;
+  }
   /// Most players of a team that were there at once.
   int players(simspark::TeamSide side) const { return players_[index(side)]; }
 
@@ -45,6 +51,7 @@ private:
   void countFalls(const simspark::SceneState& scene, bool running);
   void countKicks(const simspark::SceneState& scene);
   void countFouls(const simspark::SceneState& scene);
+  void countPasses(const simspark::SceneState& scene);
 
   using Offence = std::tuple<simspark::TeamSide, int, simspark::FoulKind>;  ///< the int: uniform number
   struct Stance {
@@ -59,6 +66,7 @@ private:
   Vec2 lastBall_ = Vec2::Zero();
   std::optional<Vec2> lastVelocity_;
   double lastKick_ = -1e9;
+  std::optional<BallTouches> touches_;  ///< from the first scene on, which says how large the field is
 };
 
 }  // namespace plumbline::watch

@@ -20,7 +20,7 @@ for run in 1 2; do
   nothingLeft "a game"
 done
 expectEqual "$(head -1 "$log")" \
-  "date,server,left,right,seed,half_time_s,score_left,score_right,falls_left,falls_right,kicks_left,kicks_right,players_left,players_right,game_s,wall_s,end,touching_left,touching_right,charging_left,charging_right,illegal_defence_left,illegal_defence_right,free_kicks_against_left,free_kicks_against_right" "header"
+  "date,server,left,right,seed,half_time_s,score_left,score_right,falls_left,falls_right,kicks_left,kicks_right,players_left,players_right,game_s,wall_s,end,touching_left,touching_right,charging_left,charging_right,illegal_defence_left,illegal_defence_right,free_kicks_against_left,free_kicks_against_right,passes_left,passes_right,passes_completed_left,passes_completed_right" "header"
 expectEqual "$(wc -l < "$log")" 3 "lines of games.log"
 for pair in server=simulator left=Red right=Blue seed=5 half_time_s=15 players_left=3 players_right=3 end=over; do
   expectEqual "$(column "$log" "${pair%%=*}")" "${pair#*=}" "column ${pair%%=*}"

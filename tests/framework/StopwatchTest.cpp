@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <ctime>
 #include <sstream>
 #include <thread>
 
@@ -97,6 +98,35 @@ TEST(TimingReportTest, isATableOfAllStopwatches) {
   EXPECT_EQ(names[0].substr(0, 15), "[default] load ");
 }
 
+MODULE(Computer)
+END_MODULE
+/// Computes for 25 ms in the first cycle and in every third one after it.
+class Computer : public ComputerBase {
+public:
+  void execute() override {
+    if (cycle_++ % 3 != 0) return;
+    const auto spent = [] { return static_cast<double>(std::clock()) / CLOCKS_PER_SEC; };
+    const double begin = spent();
+    while (spent() - begin < 0.025) {
+    }
+  }
+
+private:
+  int cycle_ = 0;
+};
+MAKE_MODULE(Computer)
+
+TEST(TimingPluginTest, countsCyclesThatComputeLongerThanOneOfTheLeagues) {
+  Controller controller = makeController("AlphaSource Alpha\nComputer\n");
+  controller.runCycles(6);
+  const TimingPlugin& timing = *controller.timing();
+  EXPECT_EQ(timing.deadline(), 0.02);
+  EXPECT_EQ(timing.lateCpu(), 1u) << "the first cycle does not count";
+  EXPECT_GE(timing.lateBusy(), 1u);
+  EXPECT_GE(timing.firstCpu(), 0.024);
+  EXPECT_GE(timing.largestCpu(), 0.024);
+}
+
 MODULE(SlowNow)
 END_MODULE
 /// Every other cycle takes 12 ms; in each it also waits for 30 ms, which does not count.
@@ -122,6 +152,9 @@ TEST(TimingPluginTest, countsAndNamesTheCyclesThatRunOver) {
   const TimingPlugin& timing = *controller.timing();
   EXPECT_EQ(timing.rate(), 100);
   EXPECT_GE(timing.overruns(), 3u);
+  EXPECT_EQ(timing.deadline(), 0.01);
+  EXPECT_GE(timing.lateBusy(), 2u);
+  EXPECT_EQ(timing.lateCpu(), 0u) << "it slept, and took no processor time";
   EXPECT_EQ(timing.steps()[2].name, "SlowNow:execute");
   EXPECT_GE(timing.steps()[2].overruns, 3u);
   EXPECT_LT(timing.busy().mean(), timing.cycle().mean() - 0.029);

@@ -147,7 +147,7 @@ TEST_F(Game, aFreeKickIsAgainstTheOtherTeam) {
 }
 
 TEST(GameLog, aLine) {
-  const std::string noFouls = ",0,0,0,0,0,0,0,0";
+  const std::string nothingElse = ",0,0,0,0,0,0,0,0,0,0,0,0";
   GameResult result;
   result.teamLeft = "Red,\"one\"";
   result.scoreLeft = 2;
@@ -158,12 +158,12 @@ TEST(GameLog, aLine) {
   EXPECT_EQ(gameLogLine(entry, result),
             std::string(
                 "2015-07-01T10:00:00+0200,simulator,Red__one_,Blue,7,300,2,0,0,0,0,0,0,0,600.02,81.3,over") +
-                noFouls);
+                nothingElse);
   result.end = GameEnd::serverGone;
   entry.halfTime = 12.5;
   EXPECT_EQ(gameLogLine(entry, result), std::string("2015-07-01T10:00:00+0200,simulator,Red__one_,Blue,7,12."
                                                     "5,2,0,0,0,0,0,0,0,600.02,81.3,server gone") +
-                                            noFouls);
+                                            nothingElse);
 }
 
 TEST(GameLog, manyWritersOneHeader) {

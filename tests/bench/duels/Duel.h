@@ -1,14 +1,9 @@
 #pragma once
 #include <array>
 #include <cstdint>
-#include <functional>
-#include <memory>
 #include <string>
-#include <vector>
 
-#include "simspark/ChildProcess.h"
-#include "simspark/MonitorClient.h"
-#include "simspark/SimulatorProcess.h"
+#include "TrainedGame.h"
 
 namespace plumbline::bench {
 
@@ -38,26 +33,15 @@ public:
 
   /// Starts simulator and agents. Throws std::runtime_error, one line.
   Duel(const DuelOptions& options, std::uint64_t seed);
-  ~Duel();
   /// Places by lot: the ball 1 to 6 m before the goal, a robot of each team at it, the others near; plays on
   /// until a goal, until the ball leaves the other half, or the time is up. Throws std::runtime_error, one
   /// line, if a program has ended.
   DuelResult play(std::uint64_t seed);
 
 private:
-  void startAgents();
-  void nextScene();
-  /// Until a scene is as wanted. Throws std::runtime_error after too many others.
-  void await(const char* what, const std::function<bool(const simspark::SceneState&)>& isSo);
-  /// Asks for a play mode, and waits until the scene shows it.
-  void setMode(simspark::PlayMode mode);
-  void checkAgents();
   void place(std::uint64_t seed);
 
-  DuelOptions options_;
-  simspark::SimulatorProcess simulator_;
-  simspark::MonitorClient trainer_;
-  std::vector<std::unique_ptr<simspark::ChildProcess>> agents_;
+  TrainedGame game_;
 };
 
 }  // namespace plumbline::bench

@@ -5,18 +5,21 @@
 //   JOBS    simulators at once [one per core]
 //   BEFORE  folder of an earlier state that is built: its players attack the same defenders, too
 //   OTHERS  modules.cfg of the defenders [config/platforms/simspark/swarm.cfg]
+// With --set-pieces it measures set pieces instead (SetPieceTable.cpp), for
+// tests/bench/set-pieces/set-pieces.sh.
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <atomic>
 #include <cstdio>
 #include <filesystem>
-#include <mutex>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 #include <thread>
 
 #include "Duel.h"
+#include "PlayAll.h"
+#include "SetPiece.h"
 #include "framework/WriteFile.h"
 #include "gap/blind/BlindScore.h"
 #include "support/Environment.h"
@@ -28,40 +31,6 @@ namespace {
 using nlohmann::json;
 
 const char* const folder = "build/bench";
-constexpr int tellEvery = 20;  // duels
-
-/// Plays all duels of a team, several at a time.
-std::vector<DuelResult> duelsOf(const std::string& name, const DuelOptions& options, int tries, int jobs,
-                                std::uint64_t seed) {
-  std::vector<DuelResult> results(static_cast<std::size_t>(tries));
-  std::atomic<int> done{0};
-  std::mutex mutex;
-  std::string problem;
-  const auto work = [&](int job) {
-    try {
-      DuelOptions own = options;
-      own.scratch += fmt::format("/{}{}", name, job);
-      std::filesystem::create_directories(own.scratch);
-      Duel duel(own, seed + static_cast<std::uint64_t>(job));
-      for (int i = job; i < tries; i += jobs) {
-        results[static_cast<std::size_t>(i)] = duel.play(seed + static_cast<std::uint64_t>(i));
-        const int now = ++done;
-        const std::lock_guard lock(mutex);
-        if (!problem.empty()) return;
-        if (now % tellEvery == 0 || now == tries) fmt::print("{}: {} of {} duels\n", name, now, tries);
-        std::fflush(stdout);
-      }
-    } catch (const std::exception& error) {
-      const std::lock_guard lock(mutex);
-      problem = error.what();
-    }
-  };
-  std::vector<std::thread> threads;
-  for (int job = 0; job < jobs; ++job) threads.emplace_back(work, job);
-  for (std::thread& thread : threads) thread.join();
-  if (!problem.empty()) throw std::runtime_error(problem);
-  return results;
-}
 
 /// A column of the table and the figures of a team.
 class Column {
@@ -139,7 +108,11 @@ void run() {
   std::vector<Column> columns;
   const auto add = [&](const std::string& name, const std::string& root) {
     const DuelOptions options{"bin", root + "/bin", defence, fmt::format("{}/duels", folder)};
-    columns.emplace_back(name, duelsOf(name, options, tries, jobs, seed), figures);
+    columns.emplace_back(
+        name,
+        playAll<Duel>(name, "duels", options, tries, jobs, seed,
+                      [&](Duel& duel, int i) { return duel.play(seed + static_cast<std::uint64_t>(i)); }),
+        figures);
   };
   std::filesystem::remove_all(fmt::format("{}/duels", folder));
   add("now", ".");
@@ -153,9 +126,12 @@ void run() {
 }  // namespace
 }  // namespace plumbline::bench
 
-int main() {
+int main(int argc, char** argv) {
   try {
-    plumbline::bench::run();
+    if (argc > 1 && std::string_view(argv[1]) == "--set-pieces")
+      plumbline::bench::measureSetPieces();
+    else
+      plumbline::bench::run();
     return 0;
   } catch (const std::exception& error) {
     std::fprintf(stderr, "duels: %s\n", error.what());

@@ -47,6 +47,7 @@ trap 'passOn 143' TERM HUP
 play() { # $1: how our team is started
   autoplay runOppList.sh --games "$games" --half-time "$half" --seed "$seed" --jobs "$jobs" --name Team --log "$work/games.log" \
     --players $((2 * players)) --server "$server" --output "$work/played" "$1" "$work/opponents"
+  tests/bench/games/players.sh "$work/played"/*/
   awk -v played="$work/played" -f tests/bench/games/tracks.awk "$work/games.log" > "$work/games.tsv"
 }
 

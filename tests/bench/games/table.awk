@@ -2,25 +2,28 @@
 # games against a team that is not ours players, of each side, other, what that team is called, server, and played, the day.
 BEGIN {
   FS = "\t"
-  split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]|fouls: touching|charging|illegal defence|free kicks against", title, "|")
-  measures = split("goals goals_against falls kicks near_ball mates_close ball_ahead shots possession touching charging illegal_defence free_kicks_against", name, " ")
-  split("higher lower lower higher lower lower higher higher higher lower lower lower lower", better, " ")
-  unit[6] = "1/min"; unit[7] = "m"; unit[9] = "%"
+  split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]|fouls: touching|charging|illegal defence|free kicks against|passes made|passes completed|players that ended before the game or with an error|late cycles of a player (more than 20 ms of CPU)|CPU of a player per cycle, mean [us]|99th percentile, mean of the players [us]", title, "|")
+  measures = split("goals goals_against falls kicks near_ball mates_close ball_ahead shots possession touching charging illegal_defence free_kicks_against passes passes_completed crashes late_cycles cpu cpu_p99", name, " ")
+  split("higher lower lower higher lower lower higher higher higher lower lower lower lower higher higher lower lower lower lower", better, " ")
+  unit[6] = "1/min"; unit[7] = "m"; unit[9] = "%"; unit[18] = unit[19] = "us"
+  target[16] = target[17] = 0; target[18] = 200
 }
 {
   team = $1
   if (!(team in n)) order[++teams] = team
   ++n[team]
-  for (i = 1; i <= measures; ++i) { sum[team, i] += $(i + 1); squares[team, i] += $(i + 1) ^ 2 }
+  for (i = 1; i <= measures; ++i) if ($(i + 1) != "-") { ++count[team, i]; sum[team, i] += $(i + 1); squares[team, i] += $(i + 1) ^ 2 }
   if ($2 > $3) ++won[team]; else if ($2 < $3) ++lost[team]; else ++drawn[team]
   seed = $(measures + 2)
   if (!first || seed < first) first = seed
   if (seed > last) last = seed
+  if ($(measures + 3) != "") ended = ended " " team ", seed " seed ":" $(measures + 3) "."
 }
-function half95(team, i,   v) {
-  if (n[team] < 2) return 0
-  v = (squares[team, i] - sum[team, i] ^ 2 / n[team]) / (n[team] - 1)
-  return 1.96 * sqrt((v > 0 ? v : 0) / n[team])
+function half95(team, i,   v, m) {
+  m = count[team, i]
+  if (m < 2) return 0
+  v = (squares[team, i] - sum[team, i] ^ 2 / m) / (m - 1)
+  return 1.96 * sqrt((v > 0 ? v : 0) / m)
 }
 END {
   if (!teams) { print "no game came to its end" > "/dev/stderr"; exit 1 }
@@ -34,18 +37,24 @@ END {
   printf "| games won, drawn, lost |"; for (t = 1; t <= teams; ++t) printf " %d, %d, %d |", won[order[t]], drawn[order[t]], lost[order[t]]; print ""
   for (i = 1; i <= measures; ++i) {
     printf "| %s |", title[i]
-    for (t = 1; t <= teams; ++t) printf " %.2f ± %.2f |", sum[order[t], i] / n[order[t]], half95(order[t], i)
+    for (t = 1; t <= teams; ++t)
+      if (count[order[t], i]) printf " %.2f ± %.2f |", sum[order[t], i] / count[order[t], i], half95(order[t], i); else printf " - |"
     print ""
   }
+  print "\nA pass is made when another player has the next touch, 1.5 m away or farther, and no shot. It is completed when that player is a mate and the ball stayed in play. The first cycle of a player, in which it gets ready, is not counted as late."
+  if (ended != "") print "\nPlayers that ended before the game or with an error, by number and exit status:" ended
   print ""
   key = other; gsub(/[^A-Za-z0-9]+/, "_", key)
   key = key == "" ? "" : tolower(key) "_" players (league ? "_" server : "") "."
   text = "["
   for (t = 1; t <= teams; ++t) {
     team = order[t]
-    for (i = 1; i <= measures; ++i)
-      text = text sprintf("%s\n  {\"name\": \"games.%s%s.%s\", \"value\": %.4g, \"unit\": \"%s\", \"better\": \"%s\"}", \
-        (text == "[" ? "" : ","), key, tolower(team), name[i], sum[team, i] / n[team], unit[i], better[i])
+    for (i = 1; i <= measures; ++i) {
+      if (!count[team, i]) continue
+      text = text sprintf("%s\n  {\"name\": \"games.%s%s.%s\", \"value\": %.4g, \"unit\": \"%s\", \"better\": \"%s\"%s}", \
+        (text == "[" ? "" : ","), key, tolower(team), name[i], sum[team, i] / count[team, i], unit[i], better[i], \
+        (team == "Team" && i in target ? ", \"target\": " target[i] : ""))
+    }
   }
   won_ = won["Team"] / n["Team"]
   text = text sprintf(",\n  {\"name\": \"games.%steam.won_of_%d\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\"%s}", \

@@ -1,8 +1,10 @@
 # Reads games.log; of each game that is over a line for each team: name, goals for, against, falls, kicks, robots within 1.5 m of
 # the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m], shots, possession
-# [%], touching, charging, illegal defence, free kicks against, seed. A shot: within half a second a ball at a robot goes at least
+# [%], touching, charging, illegal defence, free kicks against, passes, completed ones, players that ended before the game or with
+# an error, late cycles of a player, its CPU per cycle (mean, 99th percentile [us]), seed, and who ended so. A dash: nothing is known. A shot: within half a second a ball at a robot goes at least
 # 1 m, and on towards the goal of the other team, 0.5 m beside it at most. Possession: of the scenes with a robot within 1 m of the
-# ball, those where the nearest one is of the team. The tracks are played/N/track.csv in the order of the seeds. Variables: played.
+# ball, those where the nearest one is of the team. The tracks are played/N/track.csv in the order of the seeds; players.sh has written
+# players.tsv beside them. Variables: played.
 BEGIN { FS = ","; OFS = "\t" }
 $1 == "date" { for (i = 1; i <= NF; ++i) column[$i] = i; next }
 $column["end"] != "over" { next }
@@ -57,13 +59,29 @@ function track(file,   f, n) {
   close(file)
   flush()
 }
+# What the players of the game cost and how they ended.
+function players(file,   f, side) {
+  delete known; delete crashes; delete late; delete cpu; delete highest; delete measured; delete who
+  while ((getline line < file) > 0) {
+    split(line, f, "\t")
+    side = f[1]
+    ++known[side]
+    if (f[4] || (f[3] != "0" && f[3] != "1")) { ++crashes[side]; who[side] = who[side] " " f[2] "(" f[3] ")" }
+    if (f[5] == "-") continue
+    ++measured[side]
+    late[side] += f[5]; cpu[side] += f[6]; highest[side] += f[7]
+  }
+  close(file)
+}
+function ofPlayers(sum, side) { return measured[side] ? sum[side] / measured[side] : "-" }
 function report(side, other, sign,   minutes) {
   minutes = robots[side] * 0.5 / 60
   print v[column[side]], v[column["score_" side]], v[column["score_" other]], v[column["falls_" side]], v[column["kicks_" side]], \
     near[side] / scenes, close_[side] / minutes, sign * sumX / scenes, shots[side] + 0, \
     100 * first_[side] / (first_["left"] + first_["right"] + 1e-9), \
     v[column["touching_" side]], v[column["charging_" side]], v[column["illegal_defence_" side]], v[column["free_kicks_against_" side]], \
-    v[column["seed"]]
+    v[column["passes_" side]], v[column["passes_completed_" side]], known[side] ? crashes[side] + 0 : "-", ofPlayers(late, side), \
+    ofPlayers(cpu, side), ofPlayers(highest, side), v[column["seed"]], who[side]
 }
 END {
   for (s = first; s <= last; ++s) {
@@ -71,6 +89,7 @@ END {
     split(row[s], v, ",")
     track(played "/" (s - first + 1) "/track.csv")
     if (!scenes) continue
+    players(played "/" (s - first + 1) "/players.tsv")
     report("left", "right", 1)
     report("right", "left", -1)
   }

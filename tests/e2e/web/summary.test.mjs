@@ -35,6 +35,20 @@ test('a ball that a player sends to a mate is a pass', () => {
   assert.equal(figures.right.touches, 0);
 });
 
+test('touches and passes are those that C++ counts', () => {
+  const { field, seconds, states, ball, players, expected } = JSON.parse(readFileSync(new URL('../../data/touches/passes.json', import.meta.url)));
+  const placeAt = (way, t) => {
+    const i = Math.max(1, way.findIndex(([end]) => end >= t)), [a, ax, ay] = way[i - 1], [b, bx, by] = way[i], part = (t - a) / (b - a);
+    return [ax + part * (bx - ax), ay + part * (by - ay)];
+  };
+  const game = play(seconds, (t) => ({ ball: placeAt(ball, t), players: players.map(({ side, unum, way }) => [side, unum, ...placeAt(way, t)]) }));
+  const { figures } = analyse({ ...game, field, states });
+  for (const side of ['left', 'right']) {
+    const { touches, made, passes } = figures[side];
+    assert.deepEqual({ touches, made, passes }, expected[side], side);
+  }
+});
+
 test('a ball that an opponent takes is lost', () => {
   const { events, figures } = analyse(play(6, (t) => ({
     ball: [t < 3 ? rolls(t, 1, 0, 2) : 4 - 3 * (t - 3), 3],

@@ -18,7 +18,20 @@ function playsAt(game) {
   return game.times.map((time) => {
     while (state + 1 < game.states.length && game.states[state + 1].t <= time) ++state;
     const mode = game.states[Math.max(state, 0)]?.mode ?? '';
-    return !/^(BeforeKickOff|GameOver|Goal_|game_?over|goal_)/i.test(mode);
+    return !/^(BeforeKickOff|GameOver|Goal_(?!kick)|game_?over)/i.test(mode);
+  });
+}
+
+// In which course of play each moment is: a restart begins another one, so no pass goes over it.
+function coursesAt(game) {
+  let state = -1, course = 0;
+  return game.times.map((time) => {
+    while (state + 1 < game.states.length && game.states[state + 1].t <= time) {
+      ++state;
+      const mode = game.states[state].mode;
+      if (mode !== game.states[state - 1]?.mode && !/^(PlayOn|pass)/.test(mode)) ++course;
+    }
+    return course;
   });
 }
 
@@ -76,7 +89,7 @@ function velocity(game, i) {
 }
 
 function touches(game, plays) {
-  const found = [];
+  const found = [], courses = coursesAt(game);
   for (let i = 1; i + 1 < game.times.length; ++i) {
     if (!plays[i]) continue;
     const before = velocity(game, i - 1), after = velocity(game, i);
@@ -91,7 +104,7 @@ function touches(game, plays) {
       if (is > last.speed) Object.assign(last, { speed: is, v: after });
       continue;
     }
-    found.push({ ...ballAt(game, i), t: game.times[i], clock: game.clock[i], who, side: game.robots[who].side, speed: is, v: after });
+    found.push({ ...ballAt(game, i), t: game.times[i], clock: game.clock[i], who, side: game.robots[who].side, speed: is, v: after, course: courses[i] });
   }
   return found;
 }
@@ -108,23 +121,26 @@ function passesAndShots(game, found) {
   found.forEach((touch, i) => {
     const next = found[i + 1];
     if (towardsGoal(touch, game.field)) events.push({ ...touch, kind: 'shot' });
-    else if (next && next.side === touch.side && next.who !== touch.who && distance(touch, next) >= passWay)
-      events.push({ ...touch, kind: 'pass', to: { x: next.x, y: next.y, who: next.who } });
+    else if (next && next.who !== touch.who && distance(touch, next) >= passWay) {
+      const completed = next.side === touch.side && next.course === touch.course;
+      events.push({ ...touch, kind: completed ? 'pass' : 'lost pass', to: { x: next.x, y: next.y, who: next.who } });
+    }
   });
   return events;
 }
 
+// Of the lost passes the page shows the number alone. src/watch/BallTouches.h counts touches and passes in the same way.
 // Everything of a game: events by time, and figures by side.
 function analyse(game) {
   const plays = playsAt(game), found = touches(game, plays);
-  const events = [...goals(game), ...falls(game), ...passesAndShots(game, found)].sort((a, b) => a.t - b.t);
+  const sent = passesAndShots(game, found), events = [...goals(game), ...falls(game), ...sent.filter((event) => event.kind !== 'lost pass')].sort((a, b) => a.t - b.t);
   const figures = {};
   for (const side of ['left', 'right']) {
     const of = (kind) => events.filter((event) => event.kind === kind && event.side === side).length;
     const own = found.filter((touch) => touch.side === side);
     let lost = 0;
     found.forEach((touch, i) => { if (touch.side === side && found[i + 1] && found[i + 1].side !== side) ++lost; });
-    figures[side] = { goals: of('goal'), shots: of('shot'), passes: of('pass'), touches: own.length, lost, falls: of('fall'), possession: 0, half: 0, way: 0 };
+    figures[side] = { goals: of('goal'), shots: of('shot'), passes: of('pass'), made: sent.filter((event) => event.side === side && event.kind !== 'shot').length, touches: own.length, lost, falls: of('fall'), possession: 0, half: 0, way: 0 };
   }
   game.times.forEach((t, i) => {
     if (!plays[i]) return;

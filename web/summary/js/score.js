@@ -47,7 +47,8 @@ const clockOf = (game, t) => game.clock[indexAt(game, t)] ?? 0;
 function showFigures(game, { figures }, names) {
   const table = document.querySelector('#figures table'), { left, right } = figures;
   const share = (key) => { const sum = left[key] + right[key]; return [left, right].map((f) => (sum ? Math.round((100 * f[key]) / sum) : 0)); };
-  const rows = [['goals', left.goals, right.goals], ['shots', left.shots, right.shots], ['passes', left.passes, right.passes],
+  const rows = [['goals', left.goals, right.goals], ['shots', left.shots, right.shots], ['passes made', left.made, right.made],
+    ['passes completed', left.passes, right.passes],
     ['touches', left.touches, right.touches], ['balls lost', left.lost, right.lost], ['falls', left.falls, right.falls],
     ['possession, %', ...share('possession')], ['ball in the other half, %', ...share('half')],
     ['way of all, m', Math.round(left.way), Math.round(right.way)]];
