@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
 # Writes doc/results/<area>.md from the figures in build/bench/<area>*.json (`make bench` measures them), with the
-# machine and the date. `make results` does both.
+# machine and the date, and copies the diagrams build/bench/<area>*.svg there. `make results` does both.
 #   scripts/make_results.sh [AREA...]
 # Example: scripts/make_results.sh walking
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 areas=("$@")
-((${#areas[@]})) || mapfile -t areas < <(find build/bench -name '*.json' -printf '%f\n' 2> /dev/null | sed 's/\..*//' | LC_ALL=C sort -u)
+((${#areas[@]})) || mapfile -t areas < <(find build/bench -name '*.json' -printf '%f\n' 2> /dev/null | sed 's/[._].*//' | LC_ALL=C sort -u)
 ((${#areas[@]})) || { echo "make_results.sh: no figures in build/bench; run make bench first" >&2; exit 1; }
 mkdir -p doc/results
 machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | sed -n 1p)
@@ -23,10 +23,10 @@ for area in "${areas[@]}"; do
     echo "Seeds and numbers of runs are part of each figure's name or fixed in \`tests/bench/${bench/#walking-*/walking}/\`."
     echo
     # Tables that the benchmark wrote itself come before the bare figures.
-    if [[ -s build/bench/$area.md ]]; then
-      cat "build/bench/$area.md"
-      printf '\n## All figures\n\n'
-    fi
+    tables=()
+    for file in build/bench/"$area".md build/bench/"$area"_*.md; do [[ -s $file ]] && tables+=("$file"); done
+    for file in "${tables[@]}"; do cat "$file"; echo; done
+    ((${#tables[@]} == 0)) || printf '## All figures\n\n'
     awk '
       function field(text, key,   found) {
         if (!match(text, "\"" key "\"[ \t\n]*:[ \t\n]*(\"[^\"]*\"|[^,}\n]*)")) return ""
@@ -43,5 +43,6 @@ for area in "${areas[@]}"; do
       }' "${files[@]}"
   } > "doc/results/$area.md.new"
   mv "doc/results/$area.md.new" "doc/results/$area.md"
+  for file in build/bench/"$area".svg build/bench/"$area"_*.svg; do [[ ! -s $file ]] || cp "$file" doc/results/; done
   echo "doc/results/$area.md"
 done
