@@ -127,8 +127,7 @@ std::vector<std::string> unused(const Groups& groups) {
       lines.insert(kind(column) + ".* is not used: no model here predicts it");
     for (std::size_t s = 0; s < groups.uses()[t].size(); ++s) {
       const std::string& name = groups.trials()[t].signals[s].name;
-      if (!groups.uses()[t][s].used)
-        lines.insert(kind(name) + ".* is not used: " + groups.uses()[t][s].why);
+      if (!groups.uses()[t][s].used) lines.insert(kind(name) + ".* is not used: " + groups.uses()[t][s].why);
     }
   }
   return {lines.begin(), lines.end()};
