@@ -253,7 +253,8 @@ stopAfterStart() { # seconds, command...: interrupts it so long after its first 
   local program=$!
   waitFor $patience hasSaid started.out $program
   pause "$1"
-  kill -INT $program 2> /dev/null
+  # A second signal would end at once a program that `make stops` has stopped already.
+  [[ ${stopped-} && -s $scratch/told ]] || kill -INT $program 2> /dev/null
   wait $program
   result=$?
   rm -f started.out
