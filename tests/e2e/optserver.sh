@@ -4,7 +4,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 cat > "$scratch/study.yaml" << END
 task: function
-options: {function: rosenbrock, dimension: 4, sleep: 0.003, spread: 0.3}
+options: {function: rosenbrock, dimension: 4, sleep: 0.006, spread: 0.3}
 population: 8
 ahead: 3
 runs: 1
@@ -22,13 +22,15 @@ waitFor test -s "$scratch/farmed/port"
 port=$(< "$scratch/farmed/port")
 worker() { "$bin/optworker" --port "$port" --patience 20 2> /dev/null & }
 worker; first=$!
-worker
+worker; second=$!
 waitFor atLeast 60
+kill -STOP "$first" "$second" # or the search may be over before a slow client has asked for the status
 "$bin/optserver" --status --port "$port" | grep -q '"task":"function"' || fail "no status"
 echo nonsense > "/dev/tcp/127.0.0.1/$port" || fail "the port does not take a client"
 kill -9 "$first"
 kill -9 "$server"
 wait "$server" 2> /dev/null || true
+kill -CONT "$second"
 begin "$port"
 worker
 waitFor grep -q "over (maxGenerations)" "$scratch/farmed.out"
