@@ -6,7 +6,7 @@ seconds=14 # of the game, 11 s of CPU
 [[ ! ${PLUMBLINE_SLOW-} ]] || seconds=120
 few=6 many=11 killed=5
 printf 'lostMessages: {share: 0.5}\n' > "$scratch/rules.yaml"
-# The seven write what they believe; believed.awk compares it with the track.
+# The seven write what they believe; below it is compared with the track.
 cp -r config "$scratch/config"
 echo "folder: $scratch/believed" > "$scratch/config/OthersEvaluation.yaml"
 echo "OthersEvaluation" >> "$scratch/config/platforms/simspark/modules.cfg"
