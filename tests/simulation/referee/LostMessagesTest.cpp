@@ -23,6 +23,7 @@ std::string heardBy(double share, std::uint64_t seed) {
     simulation.act(id, command);
   }
   command.init.reset();
+  for (int i = 0; i < 2; ++i) simulation.step();  // they come into the team
   std::string heard;
   for (int i = 0; i < 800; ++i) {
     command.say = i % 2 == 0 ? std::optional<std::string>("word") : std::nullopt;
