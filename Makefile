@@ -187,16 +187,18 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 
 # A kick searched with and without drawn robots, tried on another engine and on others (TYPE, MOTION, SEEDS, GENERATIONS,
 # MEASURED); kick positioning from random places (TRIES, SEED, TYPES); shots at a keeper (SHOTS, SEED, TYPES); three against
-# three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); set pieces (TRIES, SEED, PLAYERS, OTHERS); searches by
-# 1 to 30 workers (SLEEP); how fast a foot is and could be in a kick (BENCH_ARGS=KICKS); the game of `make run` with many
-# seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER). All write their page in doc/results/.
+# three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); set pieces (TRIES, SEED, PLAYERS, OTHERS); what players
+# believe (GAMES, HALF, SEED, PLAYERS); searches by 1 to 30 workers (SLEEP); how fast a foot is and could be in a kick
+# (BENCH_ARGS=KICKS); the game of `make run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER). All write their page in
+# doc/results/.
 benchBuilds-robust := bench-robust
 benchBuilds-clients := optserver optworker
 benchBuilds-saves := agent simulator watchgame
 benchBuilds-duels := agent simulator bench-duels
 benchBuilds-set-pieces := agent simulator bench-duels
+benchBuilds-beliefs := agent simulator watchgame
 benchBuilds-kick-limit := bench-kick-limit
-bench-robust bench-positioning bench-saves bench-duels bench-set-pieces bench-clients bench-kick-limit bench-goal: bench-%:
+bench-robust bench-positioning bench-saves bench-duels bench-set-pieces bench-beliefs bench-clients bench-kick-limit bench-goal: bench-%:
 	@scripts/build.sh SimRelease $(or $(benchBuilds-$*),agent game simulator)
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The team against players without teamwork, which all go to the ball (config/platforms/simspark/swarm.cfg), in whole
-# games on the embedded simulator. One more game compares a player's knowledge of the others with the monitor's scene.
+# games on the embedded simulator.
 # Settings by the environment: GAMES [10], HALF seconds [300], SEED of the first game [1], JOBS at once [cores], BEFORE,
 # the folder of an earlier state that is built, to play against as well, OUT, what the results' files are called
 # [build/bench/games]. Before the games one robot tries set starts (starts.sh). Writes OUT.json and OUT.md; what the
@@ -76,12 +76,6 @@ if [[ ${OTHER-} ]]; then
   exit
 fi
 
-# One player of each side writes what it believes: a configuration of its own that says where to.
-cp -r config "$work/config"
-echo "folder: $work/others" > "$work/config/OthersEvaluation.yaml"
-cp config/platforms/simspark/modules.cfg "$work/config/platforms/simspark/modules.cfg"
-echo "OthersEvaluation" >> "$work/config/platforms/simspark/modules.cfg"
-
 OUT=build/bench/starts tests/bench/games/starts.sh
 echo "$games games of 2 x $half s, seeds from $seed, $jobs at once"
 echo "Swarm bin/start.sh -- --modules $PWD/config/platforms/simspark/swarm.cfg" > "$work/opponents"
@@ -91,10 +85,7 @@ if [[ ${BEFORE-} ]]; then
   echo "Before $before/bin/start.sh --config $before/config --port {agent} --monitor {monitor} {host}" >> "$work/opponents"
 fi
 play bin/start.sh
-autoplay startGame.sh --half-time 60 --seed "$seed" --names Team,Swarm --log "$work/others.log" --output "$work/believed" \
-  "bin/start.sh --config $work/config" "bin/start.sh -- --modules $PWD/config/platforms/simspark/swarm.cfg"
 awk -v half="$half" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
-awk -f tests/bench/games/believed.awk "$work/believed/track.csv" "$work"/others/left-*.csv >> "$out.md"
 { cat build/bench/starts.md && cat "$out.md"; } > "$work/games.md"
 mv "$work/games.md" "$out.md"
 { sed '$d' "$out.json" | sed '$s/$/,/' && sed 1d build/bench/starts.json; } > "$work/games.json"

@@ -1,10 +1,11 @@
 # Reads games.log; of each game that is over a line for each team: name, goals for, against, falls, kicks, robots within 1.5 m of
 # the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m], shots, possession
 # [%], touching, charging, illegal defence, free kicks against, passes, completed ones, players that ended before the game or with
-# an error, late cycles of a player, its CPU per cycle (mean, 99th percentile [us]), seed, and who ended so. A dash: nothing is known. A shot: within half a second a ball at a robot goes at least
-# 1 m, and on towards the goal of the other team, 0.5 m beside it at most. Possession: of the scenes with a robot within 1 m of the
-# ball, those where the nearest one is of the team. The tracks are played/N/track.csv in the order of the seeds; players.sh has written
-# players.tsv beside them. Variables: played.
+# an error, late cycles of a player, its CPU per cycle (mean, 99th percentile [us]), seed, and who ended so. A dash: nothing is
+# known. Of a team that is not ours, those players have ended that are missing in the last scene. A shot: within half a second a
+# ball at a robot goes at least 1 m, and on towards the goal of the other team, 0.5 m beside it at most. Possession: of the scenes
+# with a robot within 1 m of the ball, those where the nearest one is of the team. The tracks are played/N/track.csv in the order of
+# the seeds; players.sh has written players.tsv beside them. Variables: played.
 BEGIN { FS = ","; OFS = "\t" }
 $1 == "date" { for (i = 1; i <= NF; ++i) column[$i] = i; next }
 $column["end"] != "over" { next }
@@ -20,8 +21,10 @@ function flush(   side, i, j, n, d, least) {
   shot()
   nearest = ""
   least = 1
+  here["left"] = count["left"] + 0; here["right"] = count["right"] + 0
   for (side in count) {
     n = count[side]
+    if (n > most[side]) most[side] = n
     robots[side] += n
     for (i = 1; i <= n; ++i) {
       d = sqrt((x[side, i] - ballX) ^ 2 + (y[side, i] - ballY) ^ 2)
@@ -47,7 +50,7 @@ function shot(   dx, dy, sign, y, fast) {
   wasFast = fast
 }
 function track(file,   f, n) {
-  delete near; delete close_; delete robots; delete count; delete shots; delete first_
+  delete near; delete close_; delete robots; delete count; delete shots; delete first_; delete most; delete here
   scenes = hasBall = sumX = wasFast = 0
   nearest = ""
   while ((getline line < file) > 0) {
@@ -80,7 +83,7 @@ function report(side, other, sign,   minutes) {
     near[side] / scenes, close_[side] / minutes, sign * sumX / scenes, shots[side] + 0, \
     100 * first_[side] / (first_["left"] + first_["right"] + 1e-9), \
     v[column["touching_" side]], v[column["charging_" side]], v[column["illegal_defence_" side]], v[column["free_kicks_against_" side]], \
-    v[column["passes_" side]], v[column["passes_completed_" side]], known[side] ? crashes[side] + 0 : "-", ofPlayers(late, side), \
+    v[column["passes_" side]], v[column["passes_completed_" side]], known[side] ? crashes[side] + 0 : most[side] - here[side], ofPlayers(late, side), \
     ofPlayers(cpu, side), ofPlayers(highest, side), v[column["seed"]], who[side]
 }
 END {

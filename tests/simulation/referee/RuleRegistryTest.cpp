@@ -30,10 +30,10 @@ MAKE_RULE(NoFlying, "noFlying", 135)
 TEST(RuleRegistry, rulesComeInTheOrderOfTheirNumbers) {
   std::vector<std::string> names;
   for (const RuleEntry& rule : registeredRules()) names.push_back(rule.name);
-  EXPECT_EQ(names,
-            (std::vector<std::string>{"halfTime", "kickOff", "startPlace", "passMode", "doubleTouch", "goals",
-                                      "ballOut", "restart", "charging", "selfCollision", "crowding",
-                                      "illegalDefence", "noFlying", "incapable", "touching", "penalty"}));
+  EXPECT_EQ(names, (std::vector<std::string>{"halfTime", "kickOff", "startPlace", "passMode", "doubleTouch",
+                                             "goals", "ballOut", "restart", "charging", "selfCollision",
+                                             "crowding", "illegalDefence", "noFlying", "incapable",
+                                             "touching", "penalty", "lostMessages"}));
 }
 
 TEST(RuleRegistry, parametersAreCopiedAndComparedWithTheRules) {
