@@ -188,12 +188,15 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 # A kick searched with and without drawn robots, tried on another engine and on others (TYPE, MOTION, SEEDS, GENERATIONS,
 # MEASURED); kick positioning from random places (TRIES, SEED, TYPES); shots at a keeper (SHOTS, SEED, TYPES); three against
 # three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); searches by 1 to 30 workers (SLEEP); the game of `make
-# run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER). All write their page in doc/results/.
+# run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER); the thesis's tables of motions by hand and found (TRIES, TYPES); a
+# search of a stand-up against the clock (MINUTES, TYPE). All write their page in doc/results/.
 benchBuilds-robust := bench-robust
 benchBuilds-clients := optserver optworker
+benchBuilds-optimisation-motions := optserver
+benchBuilds-optimisation-standup := optserver optworker
 benchBuilds-saves := agent simulator watchgame
 benchBuilds-duels := agent simulator bench-duels
-bench-robust bench-positioning bench-saves bench-duels bench-clients bench-goal: bench-%:
+bench-robust bench-positioning bench-saves bench-duels bench-clients bench-goal bench-optimisation-motions bench-optimisation-standup: bench-%:
 	@scripts/build.sh SimRelease $(or $(benchBuilds-$*),agent game simulator)
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*

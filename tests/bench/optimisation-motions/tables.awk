@@ -22,7 +22,7 @@ function metres(kind, t, motion) { return sprintf("%.2f ± %.2f", mean[kind, t, 
 function saved(before, now) { return before ? sprintf("%.0f %%", 100 * (1 - now / before)) : "" }
 function onServer(t, motion, name, form) { return (t, motion, name) in server ? sprintf(form, server[t, motion, name]) : "" }
 function figure(name, value, unit, better, peer) {
-  text = text (text == "" ? "" : ",\n") sprintf("  {\"name\": \"optimisation.thesis.%s\", \"value\": %.4g, \"unit\": \"%s\", \"better\": \"%s\", \"peer\": \"thesis\", \"peer_value\": %s}", name, value, unit, better, peer)
+  text = text (text == "" ? "" : ",\n") sprintf("  {\"name\": \"optimisation-motions.%s\", \"value\": %.4g, \"unit\": \"%s\", \"better\": \"%s\", \"peer\": \"thesis\", \"peer_value\": %s}", name, value, unit, better, peer)
 }
 function standUps(number, table, words,   i, t, h, s) {
   printf "\n### Table %s: standing up from the %s\n\n", number, words
@@ -41,7 +41,7 @@ function standUps(number, table, words,   i, t, h, s) {
 END {
   print "## Tables 3.1 to 3.3 of the thesis\n"
   printf "Measured on %s, embedded simulator (ODE), %d tries of each motion, seeds from %d on, which no search had: mean and its standard error.\n", day, tries, first
-  print "By hand: the motions of before the searches, in `config/motions`, `config/robots` or `tests/bench/optimisation/by-hand`. They were designed by"
+  print "By hand: the motions of before the searches, in `config/motions`, `config/robots` or `tests/bench/optimisation-motions/by-hand`. They were designed by"
   print "hand and then improved a little by a first search, so they are shorter than the thesis's. Optimised: `standUpFrontFast`,"
   print "`standUpBackFast` and `kickLong` of each type, found by bin/optserver. Upright: within 30 degrees after two seconds of walking right after"
   print "the motion. Limbs that touch freeze, as on the league's server; the simulator in which types 0, 1 and 3 got their stand-ups from the back by"
