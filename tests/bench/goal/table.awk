@@ -40,7 +40,7 @@ function row(state, t,   m, k, low, high, mid) {
   words = state; sub(/_/, " ", words)
   printf "| %s | %s | %d | %s | %s | %s | %s | %.2f |\n", t, words, m, seconds(mid), k ? seconds(low) " to " seconds(high) : "", \
     seconds(time[state, t, m]), interval(goals[state, t], m), falls[state, t] / m
-  if (k && t != "all") printf "%s\t%d\t%g\t%g\t%g\n", words, place[t], atMost(mid), atMost(low), atMost(high) > drawn
+  if (t != "all") printf "%s\t%d\t%g\t%g\t%g\n", words, place[t], atMost(mid), atMost(k ? low : mid), atMost(k ? high : mid) > drawn
   if (mid < 1e8) figure(state, t, "time_median", mid, "s", "lower")
   figure(state, t, "goals", 100 * goals[state, t] / m, "%", "higher")
   figure(state, t, "falls_per_run", falls[state, t] / m, "", "lower")
