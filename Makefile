@@ -189,16 +189,19 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 # MEASURED); kick positioning from random places (TRIES, SEED, TYPES); shots at a keeper (SHOTS, SEED, TYPES); three against
 # three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); set pieces (TRIES, SEED, PLAYERS, OTHERS); what players
 # believe (GAMES, HALF, SEED, PLAYERS); searches by 1 to 30 workers (SLEEP); how fast a foot is and could be in a kick
-# (BENCH_ARGS=KICKS); the game of `make run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER). All write their page in
-# doc/results/.
+# (BENCH_ARGS=KICKS); the game of `make run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER); the thesis's tables of motions
+# by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE). All write their page in doc/results/.
 benchBuilds-robust := bench-robust
 benchBuilds-clients := optserver optworker
+benchBuilds-optimisation-motions := optserver
+benchBuilds-optimisation-standup := optserver optworker
 benchBuilds-saves := agent simulator watchgame
 benchBuilds-duels := agent simulator bench-duels
 benchBuilds-set-pieces := agent simulator bench-duels
 benchBuilds-beliefs := agent simulator watchgame
 benchBuilds-kick-limit := bench-kick-limit
-bench-robust bench-positioning bench-saves bench-duels bench-set-pieces bench-beliefs bench-clients bench-kick-limit bench-goal: bench-%:
+ownPage := robust positioning saves duels set-pieces beliefs clients kick-limit goal optimisation-motions optimisation-standup
+$(ownPage:%=bench-%): bench-%:
 	@scripts/build.sh SimRelease $(or $(benchBuilds-$*),agent game simulator)
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*

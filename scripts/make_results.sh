@@ -23,10 +23,10 @@ for area in "${areas[@]}"; do
     echo "Seeds and numbers of runs are part of each figure's name or fixed in \`tests/bench/${bench/#walking-*/walking}/\`."
     echo
     # Tables that the benchmark wrote itself come before the bare figures.
-    tables=()
-    for file in build/bench/"$area".md build/bench/"$area"_*.md; do [[ -s $file ]] && tables+=("$file"); done
-    for file in "${tables[@]}"; do cat "$file"; echo; done
-    ((${#tables[@]} == 0)) || printf '## All figures\n\n'
+    if [[ -s build/bench/$area.md ]]; then
+      cat "build/bench/$area.md"
+      printf '\n## All figures\n\n'
+    fi
     awk '
       function field(text, key,   found) {
         if (!match(text, "\"" key "\"[ \t\n]*:[ \t\n]*(\"[^\"]*\"|[^,}\n]*)")) return ""

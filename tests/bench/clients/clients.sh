@@ -7,7 +7,7 @@ set -euo pipefail
 sleep=${SLEEP-0.1} ticks=$(getconf CLK_TCK)
 scratch=$(mktemp -d) server="" each="" share="" speedup="" rows="" shares="" real=""
 trap '[[ -z $server ]] || kill "$server" 2> /dev/null || true; rm -rf "$scratch"' EXIT
-lines=()
+lines=() load=$(cut -d' ' -f1 /proc/loadavg) # other work makes all of this slower
 row() { # OPTIMISER WORKERS; prints "milliseconds | times as fast | efficiency"
   awk -v o="$1" -v n="$2" -v e="$each" -v s="$speedup" 'BEGIN { printf "| %s | %d | %.2f | %.3f | %.0f", o, n, 1000 * e, s, 100 * s / n }'
 }
@@ -102,7 +102,8 @@ awk -v title="Speed-up by the number of clients (thesis, figure 3.26)" -v xLabel
   echo "The same 990 evaluations of $sleep s, 2 % deviation, in 96 dimensions, by real workers (bin/optworker) of a real server (bin/optserver),"
   echo "and how many times as fast as one worker they are, beside the thesis's setup 3 (leg motion). One search each, optimiser's seed 1, timed from the"
   echo "moment at which all workers are there. Efficiency: that, divided by the number of workers. A population of 30 by 15 to 29 workers takes"
-  echo "two rounds: at most 15 times as fast. ahead: CMA-ES with three generations of ten under way at a time."
+  echo "two rounds: at most 15 times as fast. ahead: CMA-ES with three generations of ten under way at a time. When this began the machine had a load"
+  echo "average of $load by other work."
   printf '\n| optimiser | workers | ms per evaluation | times as fast | efficiency [%%] | thesis, times as fast |\n|---|---|---|---|---|---|\n%s' "$rows"
   printf '\n![Speed-up by the number of clients](clients.svg)\n\n## Table 3.7 of the thesis\n\n'
   echo "Processor time of the server's process (optimiser, messages, files), in per cent of the time from begin to end, beside the share of the update"

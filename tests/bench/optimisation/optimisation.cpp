@@ -293,7 +293,8 @@ int main(int argc, char** argv) {
       "to {}, from the same place "
       "with the same first\ndeviation. Times are of the processor. `real_farm30`: thirty processes of "
       "bin/optworker "
-      "whose evaluations sleep.\n",
+      "whose evaluations sleep.\nMotions by hand and found: [optimisation-motions](optimisation-motions.md). "
+      "Speed-up by the number of workers: `make bench-clients`.\n",
       seeds, fewSeeds, largest, largestPeer);
   checkBeginning(seeds);
   compareTime();

@@ -2,10 +2,10 @@
 # The search of a stand-up from the front against the clock, from the motion made by hand: config/optimisation/standUpFront.yaml
 # with two workers, stopped every SLICE minutes [3] to try what it has found TRIES times [1000], until it is as fast and as sure as
 # the thesis's (table 3.1), or for MINUTES [30]. The tries do not count; stopping and going on do. Writes
-# build/bench/optimisation_standup.json, .md and .svg; the search stays in the folder optimisation_standup there. TYPE [0], WORKERS [2].
+# build/bench/optimisation-standup.json, .md and .svg; the search stays in the folder optimisation-standup there. TYPE [0], WORKERS [2].
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
-minutes=${MINUTES:-30} slice=${SLICE:-3} tries=${TRIES:-1000} type=${TYPE:-0} workers=${WORKERS:-2} out=build/bench/optimisation_standup
+minutes=${MINUTES:-30} slice=${SLICE:-3} tries=${TRIES:-1000} type=${TYPE:-0} workers=${WORKERS:-2} out=build/bench/optimisation-standup
 for value in "$minutes" "$slice" "$tries" "$workers"; do
   [[ $value =~ ^[1-9][0-9]{0,5}$ ]] || { echo "standup.sh: '$value' is no whole number from 1 to 999999" >&2; exit 2; }
 done
@@ -23,17 +23,21 @@ try() {
     $1 == what { for (i = 2; i + 3 <= NF; i += 4) { mean[$i] = $(i + 1); error[$i] = $(i + 3) }
       printf "%.1f\t%.1f\t%d\t%.0f\t%.1f\t%.1f\t%.1f\n", at, used, runs, mean["time"], error["time"], 100 * mean["up"], 100 * error["up"] }' | tee -a "$out.tsv"
 }
-# Minutes of the processor that this script's programs have used.
-used() { times | awk 'NR == 2 { gsub(/[ms]/, " "); print $1 + $2 / 60 + $3 + $4 / 60 }'; }
+# Minutes of the processor that this script's programs have used, into $used. A subshell would know its own only.
+use() {
+  times > "$out/times"
+  used=$(awk 'NR == 2 { gsub(/[ms]/, " "); print $1 + $2 / 60 + $3 + $4 / 60 }' "$out/times")
+}
 
 mkdir -p "$out"
 seconds=0 processor=0 reached=""
 try start 0 0 0
 while ((seconds < 60 * minutes)); do
-  begin=$(date +%s.%N) usedBefore=$(used) most=$((60 * slice < 60 * minutes - seconds ? 60 * slice : 60 * minutes - seconds))
+  use
+  begin=$(date +%s.%N) usedBefore=$used most=$((60 * slice < 60 * minutes - seconds ? 60 * slice : 60 * minutes - seconds))
   "${search[@]}" --workers "$workers" --port 0 --every 60 >> "$out/table.log" 2>&1 &
   server=$!
-  for ((i = 0; i < 10 * most; ++i)); do kill -0 "$server" 2> /dev/null || break; sleep 0.1; done
+  for ((i = 0; i < 2 * most; ++i)); do kill -0 "$server" 2> /dev/null || break; sleep 0.5; done
   stopped=""
   kill -INT "$server" 2> /dev/null && stopped=yes
   status=0
@@ -41,7 +45,8 @@ while ((seconds < 60 * minutes)); do
   server=""
   ((status == 0 || status == 130)) || { echo "standup.sh: the search ended with $status" >&2; tail -3 "$out/table.log" >&2; exit 1; }
   seconds=$(awk -v s="$seconds" -v b="$begin" -v e="$(date +%s.%N)" 'BEGIN { printf "%d", s + e - b + 0.5 }')
-  processor=$(awk -v p="$processor" -v b="$usedBefore" -v e="$(used)" 'BEGIN { print p + e - b }')
+  use
+  processor=$(awk -v p="$processor" -v b="$usedBefore" -v e="$used" 'BEGIN { print p + e - b }')
   runs=$(awk 'match($0, /"costs":\[[^]]*/) { n += split(substr($0, RSTART, RLENGTH), c, ",") } END { print n + 0 }' "$out/evaluations.jsonl")
   read -r _ _ _ time _ upright _ <<< "$(try found "$(awk -v s="$seconds" 'BEGIN { print s / 60 }')" "$processor" "$runs")"
   echo "after $((seconds / 60)) min: $time ms, $upright % upright"
@@ -64,10 +69,10 @@ awk -F'\t' -v OFS='\t' -v type="$type" -v wt="$wantedTime" -v wu="$wantedUpright
     else printf "It was not as fast and as sure as that within %s minutes of the clock (%s of the processor, of %s that two free cores have).\n\n", last, used, 2 * last
     print "| minutes | of the processor | runs | time [ms] | upright [%] |\n|---|---|---|---|---|"
     for (i = 1; i <= NR; ++i) print line[i]
-    print "\n![Time of the motion found](optimisation_standup.svg)"
-    printf "[\n  {\"name\": \"optimisation.standup.type%d.minutes\", \"value\": %s, \"unit\": \"min\", \"better\": \"lower\"%s},\n", type, last, (reached != "" ? ", \"target\": 30" : "") > json
-    printf "  {\"name\": \"optimisation.standup.type%d.time\", \"value\": %s, \"unit\": \"ms\", \"better\": \"lower\", \"target\": %s, \"peer\": \"thesis\", \"peer_value\": %s},\n", type, time, wt, wt > json
-    printf "  {\"name\": \"optimisation.standup.type%d.upright\", \"value\": %s, \"unit\": \"%%\", \"better\": \"higher\", \"target\": %s, \"peer\": \"thesis\", \"peer_value\": %s}\n]\n", type, upright, wu, wu > json
+    print "\n![Time of the motion found](optimisation-standup.svg)"
+    printf "[\n  {\"name\": \"optimisation-standup.type%d.minutes\", \"value\": %s, \"unit\": \"min\", \"better\": \"lower\"%s},\n", type, last, (reached != "" ? ", \"target\": 30" : "") > json
+    printf "  {\"name\": \"optimisation-standup.type%d.time\", \"value\": %s, \"unit\": \"ms\", \"better\": \"lower\", \"target\": %s, \"peer\": \"thesis\", \"peer_value\": %s},\n", type, time, wt, wt > json
+    printf "  {\"name\": \"optimisation-standup.type%d.upright\", \"value\": %s, \"unit\": \"%%\", \"better\": \"higher\", \"target\": %s, \"peer\": \"thesis\", \"peer_value\": %s}\n]\n", type, upright, wu, wu > json
   }' "$out.tsv" > "$out.md"
 mv "$out.json.new" "$out.json"
 cat "$out.md"

@@ -22,14 +22,16 @@ function metres(kind, t, motion) { return sprintf("%.2f ± %.2f", mean[kind, t, 
 function saved(before, now) { return before ? sprintf("%.0f %%", 100 * (1 - now / before)) : "" }
 function onServer(t, motion, name, form) { return (t, motion, name) in server ? sprintf(form, server[t, motion, name]) : "" }
 function figure(name, value, unit, better, peer) {
-  text = text (text == "" ? "" : ",\n") sprintf("  {\"name\": \"optimisation.thesis.%s\", \"value\": %.4g, \"unit\": \"%s\", \"better\": \"%s\", \"peer\": \"thesis\", \"peer_value\": %s}", name, value, unit, better, peer)
+  text = text (text == "" ? "" : ",\n") sprintf("  {\"name\": \"optimisation-motions.%s\", \"value\": %.4g, \"unit\": \"%s\", \"better\": \"%s\", \"peer\": \"thesis\", \"peer_value\": %s}", name, value, unit, better, peer)
 }
+function tellMissing() { if (missing != "") print "\nNot measured in this run: type" missing "."; missing = "" }
 function standUps(number, table, words,   i, t, h, s) {
   printf "\n### Table %s: standing up from the %s\n\n", number, words
   print "| type | by hand: time [ms] | upright [%] | optimised: time [ms] | upright [%] | shorter by | league's server: time [ms] | upright [%] | thesis, by hand | thesis, optimised | shorter by |"
   print "|---|---|---|---|---|---|---|---|---|---|---|"
   for (i = 1; i <= kinds; ++i) {
     t = type[i]; h = "standUp" table; s = h "Fast"
+    if (!(("search", t, s, "time") in mean)) { missing = missing " " t; continue }
     printf "| %s | %s | %s | %s | %s | %s | %s | %s | %s ms, %s %% | %s ms, %s %% | %s |\n", t, ms("hand", t, h, "time"), percent("hand", t, h), \
       ms("search", t, s, "time"), percent("search", t, s), saved(mean["hand", t, h, "time"], mean["search", t, s, "time"]), \
       onServer(t, s, "time", "%.0f"), onServer(t, s, "upright", "%.0f"), handTime[table, t], hand[table, t], foundTime[table, t], found[table, t], \
@@ -37,11 +39,12 @@ function standUps(number, table, words,   i, t, h, s) {
     figure("type" t "." s ".time", mean["search", t, s, "time"], "ms", "lower", foundTime[table, t])
     figure("type" t "." s ".upright", 100 * mean["search", t, s, "up"], "%", "higher", found[table, t])
   }
+  tellMissing()
 }
 END {
   print "## Tables 3.1 to 3.3 of the thesis\n"
   printf "Measured on %s, embedded simulator (ODE), %d tries of each motion, seeds from %d on, which no search had: mean and its standard error.\n", day, tries, first
-  print "By hand: the motions of before the searches, in `config/motions`, `config/robots` or `tests/bench/optimisation/by-hand`. They were designed by"
+  print "By hand: the motions of before the searches, in `config/motions`, `config/robots` or `tests/bench/optimisation-motions/by-hand`. They were designed by"
   print "hand and then improved a little by a first search, so they are shorter than the thesis's. Optimised: `standUpFrontFast`,"
   print "`standUpBackFast` and `kickLong` of each type, found by bin/optserver. Upright: within 30 degrees after two seconds of walking right after"
   print "the motion. Limbs that touch freeze, as on the league's server; the simulator in which types 0, 1 and 3 got their stand-ups from the back by"
@@ -55,6 +58,7 @@ END {
   print "|---|---|---|---|---|---|---|---|---|---|---|---|---|"
   for (i = 1; i <= kinds; ++i) {
     t = type[i]; h = "kickRight"; s = "kickLong"
+    if (!(("search", t, s, "time") in mean)) { missing = missing " " t; continue }
     printf "| %s | %s | %s | %s | %s | %s | %s | %.1f | %s | %.0f %% | %s | %s ms, %s m | %s ms, %s m |\n", t, ms("hand", t, h, "time"), ms("hand", t, h, "contact"), metres("hand", t, h), \
       ms("search", t, s, "time"), ms("search", t, s, "contact"), metres("search", t, s), mean["search", t, s, "off"], percent("search", t, s), \
       100 * (mean["search", t, s, "distance"] / mean["hand", t, h, "distance"] - 1), onServer(t, s, "distance", "%.2f"), \
@@ -62,5 +66,6 @@ END {
     figure("type" t "." s ".time", mean["search", t, s, "time"], "ms", "lower", foundTime["Kick", t])
     figure("type" t "." s ".distance", mean["search", t, s, "distance"], "m", "higher", found["Kick", t])
   }
+  tellMissing()
   print "[\n" text "\n]" > json
 }

@@ -1,16 +1,16 @@
 #!/usr/bin/env bash
 # Tables 3.1 to 3.3 of the thesis (Seekircher 2015): motions made by hand beside those found by searches, by the thesis's
-# protocol on the embedded simulator, and the thesis's own figures: build/bench/optimisation_thesis.json and .md. Motions made by
+# protocol on the embedded simulator, and the thesis's own figures: build/bench/optimisation-motions.json and .md. Motions made by
 # hand that are no longer in use are in by-hand/. TRIES of each [1000], seeds from FIRST on [1000000], of TYPES. What the motions do
 # on the league's server comes from doc/results/motion-server.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
-tries=${TRIES-1000} first=${FIRST-1000000} types=${TYPES-0 1 2 3 4} out=build/bench/optimisation_thesis
+tries=${TRIES-1000} first=${FIRST-1000000} types=${TYPES-0 1 2 3 4} out=build/bench/optimisation-motions
 scratch=$(mktemp -d)
 trap 'rm -rf "$scratch"' EXIT
 mkdir -p build/bench
 cp -r config "$scratch/config"
-for folder in tests/bench/optimisation/by-hand/type*/; do
+for folder in tests/bench/optimisation-motions/by-hand/type*/; do
   for file in "$folder"*.yaml; do cp "$file" "$scratch/config/robots/$(basename "$folder")/motions/$(basename "$file" .yaml)ByHand.yaml"; done
 done
 : > "$scratch/measured.tsv"
@@ -35,7 +35,7 @@ for type in $types; do
   measure search kick "$type" kickLong
 done
 awk -v types="$types" -v tries="$tries" -v first="$first" -v day="$(date -u +%F)" -v json="$out.json.new" \
-  -f tests/bench/optimisation/thesis.awk "$scratch/measured.tsv" doc/results/motion-server.md > "$out.md.new"
+  -f tests/bench/optimisation-motions/tables.awk "$scratch/measured.tsv" doc/results/motion-server.md > "$out.md.new"
 mv "$out.md.new" "$out.md"
 mv "$out.json.new" "$out.json"
 cat "$out.md"
