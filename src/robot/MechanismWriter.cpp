@@ -42,8 +42,8 @@ ordered_json linkJson(const Mechanism::Link& link) {
 
 ordered_json servoJson(const Servo& servo) {
   ordered_json json = {{"kp", servo.kp}, {"kd", servo.kd}, {"armature", servo.armature}};
-  if (servo.model != Servo::Model::dcMotor) return json;
-  json["model"] = "dc_motor";
+  if (servo.model == Servo::Model::dcMotor) json["model"] = "dc_motor";
+  if (!(servo.R > 0)) return json;  // a servo with the linear law may have its motor's numbers, too
   json["dc_motor"] = {{"kt", servo.kt},
                       {"R", servo.R},
                       {"vin", servo.vin},

@@ -101,7 +101,8 @@ TEST_F(PlantedFolder, theSameSeedGivesTheSameBytesWhateverTheJobs) {
   // A case is used like any recording.
   const Mechanism robot = readMechanism(scratch / ("a/" + set.cases[0].name + "/robot.json"));
   EXPECT_EQ(readCheckedRun(scratch / ("a/" + set.cases[0].name + "/run1"), robot, warnings).size(),
-            realArm().runs[0].size());
+            realArm().runs[1].size())
+      << "by the names of the folders";
 }
 
 TEST_F(PlantedFolder, whatCannotBeIsRefusedInALine) {
