@@ -26,13 +26,18 @@ json effectJson(const BlindEffect& e) {
   json j = {{"effect", e.effect}, {"at", e.at}, {"value", e.value}};
   j["axis"] = e.axis.empty() ? json(nullptr) : json(e.axis);
   for (const auto& [key, value] : e.how) j["how"][key] = value;
+  for (const NamedPlace& other : e.alike)
+    j["alike"].push_back({{"effect", other.effect}, {"at", other.at}, {"axis", other.axis}});
   return j;
 }
 
 BlindEffect effectOf(const json& j) {
-  BlindEffect e{j.at("effect"), j.at("at"), "", j.at("value"), {}};
+  BlindEffect e{j.at("effect"), j.at("at"), "", j.at("value"), {}, {}};
   if (j.at("axis").is_string()) e.axis = j.at("axis");
   if (j.contains("how")) e.how = j.at("how").get<std::map<std::string, std::string>>();
+  if (j.contains("alike"))
+    for (const json& other : j.at("alike"))
+      e.alike.push_back({other.at("effect"), other.at("at"), other.at("axis")});
   return e;
 }
 
@@ -64,6 +69,7 @@ std::string blindSetText(const BlindSet& set) {
   for (const BlindCase& c : set.cases) {
     json entry = {{"case", c.name}, {"kind", nameOf(c.kind)},          {"ratio", c.ratio},
                   {"seed", c.seed}, {"ratio_channel", c.ratioChannel}, {"effects", json::array()}};
+    if (c.reference) entry["reference"] = true;
     for (const BlindEffect& e : c.effects) entry["effects"].push_back(effectJson(e));
     j["cases"].push_back(std::move(entry));
   }
@@ -85,6 +91,7 @@ BlindSet parseBlindSet(const std::string& text) {
       c.ratio = entry.at("ratio");
       c.ratioChannel = entry.at("ratio_channel");
       c.seed = entry.at("seed");
+      c.reference = entry.value("reference", false);
       for (const json& e : entry.at("effects")) c.effects.push_back(effectOf(e));
       set.cases.push_back(std::move(c));
     }

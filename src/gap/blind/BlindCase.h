@@ -8,11 +8,21 @@
 
 namespace plumbline::gap {
 
+/// Engine of a set whose reality is recordings of a real robot.
+inline const std::string blindRecordings = "recordings";
+
+/// An effect at a place.
+struct NamedPlace {
+  std::string effect, at, axis;
+};
+
 /// An effect of a case's robot, from the library or outside of it. Names as in doc/reference/gap-answer.md.
 struct BlindEffect {
   std::string effect, at, axis;  ///< axis empty where there is none
   double value = 0;
   std::map<std::string, std::string> how;  ///< the form, if there is more than one
+  /// Other causes that undo it in the replay of these recordings: the same thing in another name.
+  std::vector<NamedPlace> alike = {};
 };
 
 /// Kind of a case. `hard`: a single effect of small size that is easily confused with another one.
@@ -29,6 +39,8 @@ struct BlindCase {
   double ratio = 0;
   std::string ratioChannel;
   std::uint64_t seed = 0;
+  /// Of a set made from recordings: nothing is planted, and the other cases are compared with its answer.
+  bool reference = false;
 
   bool inLibrary() const { return kind != BlindKind::none && kind != BlindKind::outside; }
   bool isSingle() const { return kind == BlindKind::single || kind == BlindKind::hard; }
@@ -39,6 +51,8 @@ struct BlindSet {
   std::string robot, engine, battery;
   std::uint64_t seed = 0;
   std::vector<BlindCase> cases;
+
+  bool fromRecordings() const { return engine == blindRecordings; }
 };
 
 /// The set as JSON text, and back; throws std::invalid_argument for other text.

@@ -117,6 +117,7 @@ BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answe
   for (std::size_t i = 0; i < set.cases.size(); ++i) {
     const BlindCase& c = set.cases[i];
     const BlindAnswer& a = answers[i];
+    if (c.reference) continue;  // the others are compared with it
     score.missing += a.verdict.empty();
     const bool single = c.isSingle();
     if (single) {
@@ -149,7 +150,8 @@ BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answe
           return c.kind != BlindKind::outside && judge.same(e, named);
         });
         mine.push_back({named.probability, it != c.effects.end()});
-        if (it != c.effects.end()) errors.push_back(parameterError(*it, named.value));
+        if (it != c.effects.end() && it->effect == named.effect)
+          errors.push_back(parameterError(*it, named.value));
       }
     if (!mine.empty()) graded.push_back(std::move(mine));
   }

@@ -75,17 +75,6 @@ private:
   const std::uint64_t seed_;
 };
 
-/// Numbers that say nothing, each once.
-std::vector<std::string> opaqueNames(std::size_t count, std::uint64_t seed) {
-  Random random(seed ^ 0x0b5c);
-  std::set<std::uint64_t> taken;
-  std::vector<std::string> names;
-  while (names.size() < count)
-    if (const std::uint64_t n = 10000 + random.next() % 90000; taken.insert(n).second)
-      names.push_back(std::to_string(n));
-  return names;
-}
-
 double noiseOfChannel(const std::string& channel) {
   const SensorNoise noise;
   if (channel.starts_with("pos.")) return std::hypot(noise.encoder, noise.encoderStep / std::sqrt(12.0));
@@ -96,6 +85,16 @@ double noiseOfChannel(const std::string& channel) {
 }
 
 }  // namespace
+
+std::vector<std::string> opaqueNames(std::size_t count, std::uint64_t seed) {
+  Random random(seed ^ 0x0b5c);
+  std::set<std::uint64_t> taken;
+  std::vector<std::string> names;
+  while (names.size() < count)
+    if (const std::uint64_t n = 10000 + random.next() % 90000; taken.insert(n).second)
+      names.push_back(std::to_string(n));
+  return names;
+}
 
 Severity severity(const std::string& folder, const std::string& nominal,
                   const std::vector<std::string>& runs) {

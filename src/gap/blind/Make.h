@@ -26,6 +26,9 @@ constexpr double leastRatio = 3, mostRatio = 100, mostRatioOfHard = 12;
 /// std::runtime_error (one line, nothing left behind) if the engine's program is missing or fails.
 BlindSet makeBlind(const BlindMakeOptions& options);
 
+/// Names of cases: numbers that say nothing, each once.
+std::vector<std::string> opaqueNames(std::size_t count, std::uint64_t seed);
+
 /// Severity of the runs in one folder compared with noise-free nominal runs in another; `channel` is the one
 /// that shows it best, as "run/channel".
 struct Severity {

@@ -24,6 +24,11 @@ bool sameCause(const NamedCause& a, const NamedCause& b) {
 }  // namespace
 
 bool BlindJudge::same(const BlindEffect& truth, const NamedCause& named) const {
+  if (sameName({truth.effect, truth.at, truth.axis}, named)) return true;
+  return std::ranges::any_of(truth.alike, [&](const NamedPlace& other) { return sameName(other, named); });
+}
+
+bool BlindJudge::sameName(const NamedPlace& truth, const NamedCause& named) const {
   if (truth.effect != named.effect || truth.axis != named.axis) return false;
   return truth.at == named.at ||
          (sitsAtJoints(truth.effect) && motorOf(robot_, truth.at) == motorOf(robot_, named.at));

@@ -4,7 +4,8 @@
 namespace plumbline::gap {
 
 /// Judges one case and its answer. Only the verdict `effect` names something. An effect is found if id, place
-/// and axis are right; two joints of one motor are one place.
+/// and axis are right, or those of a cause that is alike (BlindEffect::alike); two joints of one motor are
+/// one place.
 class BlindJudge {
 public:
   explicit BlindJudge(const Mechanism& robot) : robot_(robot) {}
@@ -26,6 +27,8 @@ public:
   bool right(const BlindCase& c, const BlindAnswer& a) const;
 
 private:
+  bool sameName(const NamedPlace& truth, const NamedCause& named) const;
+
   const Mechanism& robot_;
 };
 

@@ -8,7 +8,7 @@ namespace plumbline::gap {
 
 /// Reads a recording by its ending: JSON lines (.jsonl, .ndjson), a bag of ROS 2 (.db3, or a folder of them),
 /// else a table of text. Throws RunError.
-Table readRecording(const std::string& path, char separator, const std::vector<std::string>& missing);
+Table readRecording(const std::string& path, const TableForm& form);
 
 /// One JSON object a line. A number in it is a column named by its path, `imu.gyro.0`; true is 1, null a lost
 /// sample. If an object names its parts, as in {"name": ["a", "b"], "position": [1, 2]}, these names replace

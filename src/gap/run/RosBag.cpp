@@ -268,12 +268,12 @@ private:
 
 Table readRosBag(const std::string& path) { return Bag(path).read(); }
 
-Table readRecording(const std::string& path, char separator, const std::vector<std::string>& missing) {
+Table readRecording(const std::string& path, const TableForm& form) {
   const std::string ending = fs::path(path).extension().string();
   std::error_code error;
   if (ending == ".db3" || fs::is_directory(path, error)) return readRosBag(path);
   if (ending == ".jsonl" || ending == ".ndjson") return readJsonLines(path);
-  return readTable(path, separator, missing);
+  return readTable(path, form);
 }
 
 }  // namespace plumbline::gap

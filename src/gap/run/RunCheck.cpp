@@ -35,6 +35,9 @@ constexpr Bounds bounds[] = {
     {ChannelKind::commandSpeed, -60, 60},   {ChannelKind::commandTorque, -500, 500},
 };
 
+/// The foot of a force sensor's place: LFoot of LFoot.FrontLeft.
+std::string footOf(const std::string& place) { return {place.begin(), std::ranges::find(place, '.')}; }
+
 class Checker {
 public:
   Checker(Run& run, const Mechanism& robot, std::vector<RunWarning>& warnings)
@@ -85,10 +88,9 @@ private:
     for (const auto& [name, column] : run_.channels) {
       const auto channel = parseChannel(name);
       if (!channel) continue;
-      const bool known = channel->ofJoint() ? robot_.jointIndex(channel->place) >= 0
-                         : channel->kind == ChannelKind::force
-                             ? robot_.footIndex(channel->place.substr(0, channel->place.find('.'))) >= 0
-                             : true;
+      const bool known = channel->ofJoint()                    ? robot_.jointIndex(channel->place) >= 0
+                         : channel->kind == ChannelKind::force ? robot_.footIndex(footOf(channel->place)) >= 0
+                                                               : true;
       if (channel->ofJoint()) ++ofJoints;
       if (known) continue;
       if (channel->ofJoint()) {
@@ -103,8 +105,7 @@ private:
     for (const std::string& name : columns) {
       const ChannelName channel = *parseChannel(name);
       leaveOut(name, robot_.name + (channel.ofJoint() ? " has no joint " + channel.place
-                                                      : " has no foot " + channel.place.substr(
-                                                                              0, channel.place.find('.'))));
+                                                      : " has no foot " + footOf(channel.place)));
     }
     for (const auto& [joint, servo] : run_.servo)
       if (robot_.jointIndex(joint) < 0)

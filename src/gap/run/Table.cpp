@@ -1,7 +1,6 @@
 #include "gap/run/Table.h"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <limits>
 #include <set>
@@ -9,87 +8,161 @@
 
 #include "framework/StopSignal.h"
 #include "framework/TextLines.h"
+#include "gap/run/Cell.h"
 #include "gap/run/Run.h"
 
 namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t longestShown = 30;
+constexpr int mostLinesOfACell = 1000;
+constexpr double lostCell = std::numeric_limits<double>::quiet_NaN();
 
-std::string_view trim(std::string_view text) {
-  const auto isBlank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && isBlank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && isBlank(text.back())) text.remove_suffix(1);
-  if (text.size() >= 2 && text.front() == '"' && text.back() == '"') text = text.substr(1, text.size() - 2);
-  return text;
-}
+class TableReader {
+public:
+  TableReader(const std::string& path, const TableForm& form) : lines_(path, maxLineLength), form_(form) {}
 
-void split(std::string_view text, char separator, std::vector<std::string_view>& cells) {
-  cells.clear();
-  for (;;) {
-    const std::size_t end = text.find(separator);
-    cells.push_back(trim(text.substr(0, end)));
-    if (end == std::string_view::npos) return;
-    text.remove_prefix(end + 1);
+  Table read() {
+    const std::string& path = lines_.path();
+    std::string_view text;
+    if (!lines_.next(text) || text.empty())
+      throw RunError(path + ": is empty; the first line names the columns");
+    readHeader(text);
+    while (nextRow()) {
+      StopSignal::throwIfCaught();
+      if (cells_.size() != ofHeader_)
+        lines_.fail("has " + std::to_string(cells_.size()) + " cells, the header has " +
+                    std::to_string(ofHeader_));
+      ++rows_;
+      for (std::size_t c = 0; c < ofHeader_; ++c) take(c);
+      if (rows_ * table_.names.size() > maxCells)
+        lines_.fail("more than " + std::to_string(maxCells) + " cells; cut the run into shorter ones");
+    }
+    if (rows_ < 2)
+      throw RunError(path + ": has " + std::to_string(rows_) + " lines of data; a run needs two at least");
+    removeLists();
+    return std::move(table_);
   }
-}
 
-bool parse(std::string_view text, double& x) {
-  if (text.front() == '+' && text.size() > 1 && text[1] != '-') text.remove_prefix(1);
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), x);
-  return error == std::errc() && end == text.data() + text.size() && std::isfinite(x);
-}
-
-void readHeader(TextLines& lines, std::string_view text, char separator, Table& table) {
-  if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);  // byte order mark
-  std::vector<std::string_view> cells;
-  split(text, separator, cells);
-  if (cells.size() > maxColumns) lines.fail("more than " + std::to_string(maxColumns) + " columns");
-  std::set<std::string> seen;
-  for (const std::string_view cell : cells) {
-    if (cell.empty()) lines.fail("column " + std::to_string(table.names.size() + 1) + " has no name");
-    const std::string name(cell);
-    if (!canBeName(name)) lines.fail("\"" + shownText(name) + "\" is not allowed as the name of a column");
-    if (!seen.insert(name).second) lines.fail("column " + name + " occurs twice; leave one out");
-    table.names.push_back(name);
+private:
+  void readHeader(std::string_view text) {
+    if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);  // byte order mark
+    if (!splitCells(text, form_.separator, form_.lists, cells_)) lines_.fail("the quotes of a name are open");
+    if (cells_.size() > maxColumns) lines_.fail("more than " + std::to_string(maxColumns) + " columns");
+    for (const std::string_view cell : cells_) {
+      if (cell.empty()) lines_.fail("column " + std::to_string(table_.names.size() + 1) + " has no name");
+      addColumn(std::string(cell));
+    }
+    ofHeader_ = table_.names.size();
+    elements_.resize(ofHeader_);
   }
-}
 
-Table readLines(TextLines& lines, char separator, const std::vector<std::string>& missing) {
-  const std::string& path = lines.path();
-  std::string_view text;
-  if (!lines.next(text) || text.empty())
-    throw RunError(path + ": is empty; the first line names the columns");
-  Table table;
-  readHeader(lines, text, separator, table);
-  table.columns.resize(table.names.size());
-  const std::size_t maxRows = maxCells / table.names.size();
-  std::vector<std::string_view> cells;
-  std::size_t rows = 0;
-  while (lines.next(text)) {
-    StopSignal::throwIfCaught();
-    if (text.empty()) continue;
-    split(text, separator, cells);
-    if (cells.size() != table.names.size())
-      lines.fail("has " + std::to_string(cells.size()) + " cells, the header has " +
-                 std::to_string(table.names.size()));
-    if (++rows > maxRows)
-      lines.fail("more than " + std::to_string(maxCells) + " cells; cut the run into shorter ones");
-    for (std::size_t c = 0; c < cells.size(); ++c) {
-      double x = std::numeric_limits<double>::quiet_NaN();
-      const bool empty =
-          cells[c].empty() || std::find(missing.begin(), missing.end(), cells[c]) != missing.end();
-      if (!empty && !parse(cells[c], x)) {
-        x = std::numeric_limits<double>::quiet_NaN();
-        table.bad.try_emplace(table.names[c], Table::BadCell{lines.line(), shownText(cells[c])});
-      }
-      table.columns[c].push_back(x);
+  void addColumn(const std::string& name) {
+    if (!canBeName(name)) lines_.fail("\"" + shownText(name) + "\" is not allowed as the name of a column");
+    if (!seen_.insert(name).second) lines_.fail("column " + name + " occurs twice; leave one out");
+    if (ofHeader_ > 0 && table_.names.size() - ofHeader_ >= maxColumns)
+      lines_.fail("more than " + std::to_string(maxColumns) + " numbers in the lists of its cells");
+    table_.names.push_back(name);
+    table_.columns.emplace_back();
+  }
+
+  /// The next line's cells; further lines as long as quotes are open.
+  bool nextRow() {
+    std::string_view text;
+    do {
+      if (!lines_.next(text)) return false;
+    } while (text.empty());
+    if (splitCells(text, form_.separator, form_.lists, cells_)) return true;
+    const std::size_t first = lines_.line();
+    joined_ = text;
+    for (int more = 0;; ++more) {
+      if (more == mostLinesOfACell || !lines_.next(text))
+        throw RunError(lines_.path() + ":" + std::to_string(first) +
+                       ": the quotes of a cell do not end; close them, or take them out");
+      joined_ += '\n';
+      joined_ += text;
+      if (joined_.size() > maxLineLength)
+        lines_.fail("the cell that begins in line " + std::to_string(first) + " is longer than " +
+                    std::to_string(maxLineLength) + " characters");
+      if (text.find('"') != std::string_view::npos &&
+          splitCells(joined_, form_.separator, form_.lists, cells_))
+        return true;
     }
   }
-  if (rows < 2)
-    throw RunError(path + ": has " + std::to_string(rows) + " lines of data; a run needs two at least");
-  return table;
-}
+
+  /// Takes the cell of a column of the header.
+  void take(std::size_t c) {
+    const std::string_view cell = cells_[c];
+    const bool empty = cell.empty() || std::ranges::find(form_.missing, cell) != form_.missing.end();
+    double x = lostCell;
+    if (!empty && !numberOf(cell, x)) x = lostCell;
+    const bool number = !std::isnan(x);
+    const Elements& elements = elements_[c];
+    if (!empty && !number && form_.lists && listOf(cell, form_.missing, maxColumns, list_)) {
+      if (elements.count == 0 && !elements.numbers && !list_.empty()) makeElements(c);
+      if (list_.empty() || list_.size() == elements.count) return addList(c);
+    }
+    if (elements.count > 0) {
+      if (!empty) markBad(c, cell);
+      list_.clear();
+      return addList(c);
+    }
+    if (!empty && !number) markBad(c, cell);
+    elements_[c].numbers |= !empty;
+    table_.columns[c].push_back(x);
+  }
+
+  /// A column's first list: its elements become columns, lost so far.
+  void makeElements(std::size_t c) {
+    const std::string name = table_.names[c];
+    Elements& elements = elements_[c];
+    elements.first = table_.names.size();
+    elements.count = list_.size();
+    table_.lists[name] = elements.count;
+    for (std::size_t i = 0; i < elements.count; ++i) {
+      addColumn(name + "[" + std::to_string(i) + "]");
+      table_.columns.back().assign(rows_ - 1, lostCell);
+    }
+  }
+
+  void addList(std::size_t c) {
+    table_.columns[c].push_back(lostCell);
+    for (std::size_t i = 0; i < elements_[c].count; ++i)
+      table_.columns[elements_[c].first + i].push_back(list_.empty() ? lostCell : list_[i]);
+  }
+
+  void markBad(std::size_t c, std::string_view cell) {
+    const Table::BadCell bad{lines_.line(), shownText(cell)};
+    const Elements& elements = elements_[c];
+    if (elements.count == 0) table_.bad.try_emplace(table_.names[c], bad);
+    for (std::size_t i = 0; i < elements.count; ++i)
+      table_.bad.try_emplace(table_.names[elements.first + i], bad);
+  }
+
+  void removeLists() {
+    for (std::size_t c = ofHeader_; c-- > 0;) {
+      if (elements_[c].count == 0) continue;
+      table_.names.erase(table_.names.begin() + static_cast<std::ptrdiff_t>(c));
+      table_.columns.erase(table_.columns.begin() + static_cast<std::ptrdiff_t>(c));
+    }
+  }
+
+  /// Columns of a list's elements; `numbers`: its cells hold no lists.
+  struct Elements {
+    std::size_t first = 0, count = 0;
+    bool numbers = false;
+  };
+
+  TextLines lines_;
+  const TableForm form_;
+  Table table_;
+  std::set<std::string> seen_;
+  std::size_t ofHeader_ = 0, rows_ = 0;
+  std::vector<Elements> elements_;
+  std::vector<std::string_view> cells_;
+  std::vector<double> list_;
+  std::string joined_;
+};
 
 }  // namespace
 
@@ -105,10 +178,9 @@ bool canBeName(const std::string& name) {
   return name.size() <= longest && shownText(name) == name.substr(0, longestShown);
 }
 
-Table readTable(const std::string& path, char separator, const std::vector<std::string>& missing) {
+Table readTable(const std::string& path, const TableForm& form) {
   try {
-    TextLines lines(path, maxLineLength);
-    return readLines(lines, separator, missing);
+    return TableReader(path, form).read();
   } catch (const TextError& error) {
     throw RunError(error.what());
   }

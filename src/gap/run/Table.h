@@ -17,6 +17,9 @@ struct Table {
     std::string text;
   };
   std::map<std::string, BadCell> bad;
+  /// Columns with lists in their cells, and how long these are. The numbers are in the columns `NAME[0]`,
+  /// `NAME[1]`, ... behind all others; NAME is no column.
+  std::map<std::string, std::size_t> lists;
 };
 
 /// Limits: characters of one line, columns, cells in all.
@@ -28,9 +31,17 @@ std::string shownText(std::string_view text);
 /// Whether a column may have this name: it is short, and shownText shows its beginning unchanged.
 bool canBeName(const std::string& name);
 
-/// Reads a table, plain or gzip: a header line, then as many cells a line. `missing` are words for an empty
-/// cell. Throws RunError: unreadable, cut short, a name twice, another number of cells, too large, fewer than
-/// two lines of data.
-Table readTable(const std::string& path, char separator = ',', const std::vector<std::string>& missing = {});
+/// How a table is written.
+struct TableForm {
+  char separator = ',';
+  std::vector<std::string> missing = {};  ///< words for an empty cell
+  /// Cells may hold lists (Cell.h). A quoted cell may then go over several lines, as pandas writes long
+  /// arrays. All lists of a column are equally long; an empty cell is a lost list.
+  bool lists = false;
+};
+
+/// Reads a table, plain or gzip: a header line, then as many cells a line. Throws RunError: unreadable, cut
+/// short, a name twice, another number of cells, too large, fewer than two lines of data.
+Table readTable(const std::string& path, const TableForm& form = {});
 
 }  // namespace plumbline::gap

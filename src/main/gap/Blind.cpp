@@ -6,9 +6,11 @@
 
 #include "framework/ConfigFolder.h"
 #include "framework/Parallel.h"
+#include "gap/blind/BeyondReference.h"
 #include "gap/blind/BlindScore.h"
 #include "gap/blind/CaseText.h"
 #include "gap/blind/Make.h"
+#include "gap/blind/PlantedSet.h"
 #include "main/gap/Commands.h"
 #include "main/gap/ProgressLine.h"
 #include "robot/MechanismFile.h"
@@ -45,10 +47,36 @@ void make(BlindMakeOptions options, const std::string& battery) {
     std::printf("Without effects outside the library: engine replay has none\n");
 }
 
+void plant(const BlindMakeOptions& options, std::vector<std::string> from, bool robotGiven) {
+  PlantedSetOptions planting{std::move(from),    robotGiven ? options.robot : "",
+                             options.draw.cases, options.draw.seed,
+                             options.output,     threadsFor(options.jobs)};
+  ProgressLine line(false);
+  line.tell("cases", 0);
+  planting.progress = [&](std::size_t done) {
+    line.tell("cases", static_cast<double>(done) / static_cast<double>(planting.cases));
+    std::printf("%zu/%zu\n", done, planting.cases);
+    std::fflush(stdout);
+  };
+  std::vector<RunWarning> warnings;
+  const BlindSet set = makePlantedSet(planting, warnings);
+  for (const RunWarning& warning : warnings)
+    std::fprintf(stderr, "gap: %s\n", warning.line(set.robot).c_str());
+  std::printf(
+      "%zu cases written to %s; their answers are in answers.sealed, not to be read by accident\n"
+      "Each has its own model: bin/gap diagnose CASE --robot CASE/robot.json\n",
+      set.cases.size(), options.output.c_str());
+}
+
 void score(const ScoreCommand& options) {
   const BlindSet set = readSealed(options.folder);
-  const Mechanism robot = namedMechanism(set.robot);
-  const std::vector<BlindAnswer> answers = readAnswers(set, options.answers);
+  const bool recorded = set.fromRecordings() && !set.cases.empty();
+  const Mechanism robot =
+      recorded ? readMechanism(
+                     (std::filesystem::path(options.folder) / set.cases.front().name / "robot.json").string())
+               : namedMechanism(set.robot);
+  std::vector<BlindAnswer> answers = readAnswers(set, options.answers);
+  if (recorded) answers = beyondReference(set, std::move(answers), robot);
   const BlindScore result = scoreBlind(set, answers, robot);
   std::fputs((options.json ? scoreJson(result) + "\n" : scoreTable(result)).c_str(), stdout);
   if (!options.list.empty())
@@ -62,6 +90,7 @@ void addBlind(CommandLine& app) {
   command.requireCommand();
   command.footer(
       "Examples:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind\n"
+      "  bin/gap blind make --from runs --cases 20 -o planted\n"
       "  bin/gap blind score blind answers");
 
   CommandLine maker = command.command("make", "Writes cases whose answers are sealed apart");
@@ -69,6 +98,10 @@ void addBlind(CommandLine& app) {
   auto battery = std::make_shared<std::string>("hang");
   maker.option("--seed", making->draw.seed, "Draws effects, places, sizes and noise").showDefault();
   maker.option("--cases", making->draw.cases, "How many").range(1, 10000).showDefault();
+  auto from = std::make_shared<std::vector<std::string>>();
+  maker.option("--from", *from,
+               "Recordings of one real robot, its base fixed: causes are planted in these, instead of a "
+               "simulated reality");
   maker
       .option("--engine", making->engine,
               "What simulates the reality: bullet, mujoco (if it is installed), replay (the diagnosis' "
@@ -78,12 +111,21 @@ void addBlind(CommandLine& app) {
       .oneOf({"hang", "all"})
       .showDefault();
   maker.option("--engine-program", making->program, "The program of engine program").showDefault();
-  maker.option("--robot", making->robot, "Name in config/robots, or a URDF or JSON file").showDefault();
+  maker.option("--robot", making->robot, "Name in config/robots, or a robot's file").showDefault();
   maker.option("--jobs", making->jobs, "Cases made at a time [as many as cores]").range(1, 256);
   making->jobs = 0;
   maker.option("-o,--output", making->output, "A new folder").required();
-  maker.footer("Example:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind");
-  maker.whenChosen([=] { make(*making, *battery); });
+  maker.footer(
+      "Examples:\n  bin/gap blind make --seed 5 --cases 27 --engine bullet -o blind\n"
+      "  bin/gap blind make --from runs --robot my_leg.urdf --seed 5 --cases 20 -o planted");
+  maker.whenChosen([=] {
+    if (from->empty()) return make(*making, *battery);
+    for (const char* option : {"--engine", "--engine-program", "--battery"})
+      if (maker.given(option))
+        throw std::invalid_argument(std::string("--from excludes ") + option +
+                                    ": the reality is in the recordings");
+    plant(*making, *from, maker.given("--robot"));
+  });
 
   CommandLine scorer = command.command("score", "Compares answers with the sealed effects");
   auto scoring = std::make_shared<ScoreCommand>();

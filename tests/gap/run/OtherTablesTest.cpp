@@ -32,7 +32,7 @@ protected:
   }
   std::string errorOf(const std::string& path) const {
     try {
-      readRecording(path, ',', {});
+      readRecording(path, {});
       return "no error";
     } catch (const RunError& error) {
       std::string what = error.what();
@@ -53,7 +53,7 @@ TEST_F(OtherTables, jsonLinesByTheirPaths) {
   const Table table = readRecording(write("log.jsonl",
                                           "{\"t\": 0, \"imu\": {\"gyro\": [0.1, 0.2]}, \"on\": true}\n\n"
                                           "{\"t\": 0.01, \"imu\": {\"gyro\": [0.3, null]}, \"late\": 5}\n"),
-                                    ',', {});
+                                    {});
   EXPECT_EQ(column(table, "t"), (std::vector{0.0, 0.01}));
   EXPECT_EQ(column(table, "imu.gyro.0"), (std::vector{0.1, 0.3}));
   EXPECT_EQ(column(table, "imu.gyro.1")[0], 0.2);
@@ -66,7 +66,7 @@ TEST_F(OtherTables, jsonLinesByTheirPaths) {
 TEST_F(OtherTables, listsThatAreNamedBesideThem) {
   const std::string line =
       R"({"t": 0, "state": {"name": ["a", "b"], "position": [1, 2], "more": [1, 2, 3]}})";
-  const Table table = readRecording(write("log.ndjson", line + "\n" + line + "\n"), ',', {});
+  const Table table = readRecording(write("log.ndjson", line + "\n" + line + "\n"), {});
   EXPECT_EQ(column(table, "state.position.b"), (std::vector{2.0, 2.0}));
   EXPECT_EQ(column(table, "state.more.2"), (std::vector{3.0, 3.0}));
 }
@@ -77,7 +77,7 @@ TEST_F(OtherTables, whatIsNoJsonIsNamedWithItsLine) {
   EXPECT_EQ(errorOf(write("a.jsonl", "{\"t\": 0}\n{\"t\": \n")), "a.jsonl:2: broken JSON");
   EXPECT_EQ(errorOf(write("a.jsonl", "{\"t\": 0}\n")),
             "a.jsonl: has 1 lines of data; a run needs two at least");
-  const Table words = readRecording(write("a.jsonl", "{\"t\": \"x\"}\n{\"t\": 1}\n"), ',', {});
+  const Table words = readRecording(write("a.jsonl", "{\"t\": \"x\"}\n{\"t\": 1}\n"), {});
   EXPECT_EQ(words.bad.at("t").line, 1U);
 }
 
@@ -150,7 +150,7 @@ TEST_F(OtherTables, aBagsJointStatesWithTheCommandsSaidLast) {
     bag.message(1, 5'010'000'000, jointState({0.3, 0.4}, 250'000'000));
     bag.message(1, 5'020'000'000, jointState({0.5, 0.6}, 500'000'000));
   }
-  const Table table = readRecording(place, ',', {});
+  const Table table = readRecording(place, {});
   EXPECT_EQ(column(table, "t"), (std::vector{0.0, 0.01, 0.02}));
   EXPECT_EQ(column(table, "joint_states.stamp"), (std::vector{7.0, 7.25, 7.5})) << "its sender's time";
   EXPECT_EQ(column(table, "joint_states.position.hip"), (std::vector{0.2, 0.4, 0.6}));

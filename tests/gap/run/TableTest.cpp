@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gap/run/Run.h"
 #include "support/ScratchFolder.h"
 #include "support/Thrown.h"
@@ -43,6 +45,64 @@ TEST(Table, aNameIsShortAndItsBeginningPrintable) {
   EXPECT_TRUE(canBeName(std::string(190, 'a')));
   EXPECT_FALSE(canBeName(std::string(210, 'a')));
   EXPECT_FALSE(canBeName(std::string(25, 'a') + "\t"));
+}
+
+/// A table whose cells may hold lists.
+Table withLists(const std::string& text) {
+  const test::ScratchFolder scratch;
+  scratch.write("t.csv", text);
+  return readTable(scratch / "t.csv", {.separator = ',', .missing = {"nan"}, .lists = true});
+}
+std::string refusedWithLists(const std::string& text) {
+  const std::string what = thrownBy([&] { withLists(text); });
+  return what.substr(what.rfind("t.csv"));
+}
+
+TEST(Table, theNumbersOfListsAreColumns) {
+  const Table table = withLists("t,q,n\n0,,1\n1,\"[0.1, 0.2]\",2\n2,\"0.3 0.4\",3\n3,nan,4\n");
+  EXPECT_EQ(table.names, (std::vector<std::string>{"t", "n", "q[0]", "q[1]"}));
+  EXPECT_EQ(table.lists, (std::map<std::string, std::size_t>{{"q", 2}}));
+  EXPECT_EQ(table.columns[1], (std::vector<double>{1, 2, 3, 4}));
+  EXPECT_TRUE(std::isnan(table.columns[2][0]));
+  EXPECT_EQ(table.columns[2][1], 0.1);
+  EXPECT_EQ(table.columns[3][2], 0.4);
+  EXPECT_TRUE(std::isnan(table.columns[3][3]));
+  EXPECT_TRUE(table.bad.empty());
+}
+
+TEST(Table, aQuotedListGoesOverSeveralLines) {
+  const Table table = withLists("t,q\n0,\"[1 2\n 3]\"\n1,\"[4 5\n 6]\"\n");
+  EXPECT_EQ(table.columns.back(), (std::vector<double>{3, 6}));
+  EXPECT_EQ(refusedWithLists("t,q\n0,\"[1 2\n3\n"),
+            "t.csv:2: the quotes of a cell do not end; close them, or take them out");
+  std::string lines = "t,q\n0,\"[1";
+  for (int i = 0; i < 1100; ++i) lines += "\n1";
+  EXPECT_EQ(refusedWithLists(lines + "]\"\n"),
+            "t.csv:2: the quotes of a cell do not end; close them, or take them out");
+}
+
+TEST(Table, listsOfAnotherLengthAndOtherCellsInAListsColumnAreBad) {
+  const Table table = withLists("t,q,n\n0,[1 2],1\n1,[1 2 3],1\n2,5,[1 2]\n");
+  EXPECT_EQ(table.bad.at("q[0]").line, 3U);
+  EXPECT_EQ(table.bad.at("q[1]").text, "[1 2 3]");
+  EXPECT_EQ(table.bad.at("n").text, "[1 2]");
+  for (const auto& column : table.columns) EXPECT_EQ(column.size(), 3U);
+}
+
+TEST(Table, aListThatIsTooLongIsNoList) {
+  std::string list = "[0";
+  for (int i = 1; i < 1100; ++i) list += " 0";
+  EXPECT_EQ(withLists("t,q\n0," + list + "]\n1,2\n").bad.count("q"), 1U);
+  std::string header = "t", cells = "0";
+  for (int i = 0; i < 3; ++i) header += ",q" + std::to_string(i), cells += "," + list.substr(0, 1001) + "]";
+  EXPECT_EQ(refusedWithLists(header + "\n" + cells + "\n"),
+            "t.csv:2: more than 1024 numbers in the lists of its cells");
+}
+
+TEST(Table, aRunsTableHoldsNoLists) {
+  const test::ScratchFolder scratch;
+  scratch.write("t.csv", "t,q\n0,\"[1, 2]\"\n1,\"[1, 2]\"\n");
+  EXPECT_EQ(readTable(scratch / "t.csv").bad.at("q").text, "[1, 2]");
 }
 
 }  // namespace
