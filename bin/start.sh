@@ -25,6 +25,7 @@ examples:
   bin/start.sh
   bin/start.sh 192.168.1.20 --team Red --players 3 --logs build/logs
   bin/start.sh -- --log build/game/player{number}     # {number} in these options is the player's
+  bin/start.sh -- --draw team                         # roles and ways of all players in RoboViz
 END
 }
 fail() { echo "start.sh: $*; see start.sh --help" >&2; exit 2; }

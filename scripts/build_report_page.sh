@@ -36,7 +36,7 @@ pour() {
 cat "$uplot/dist/uPlot.min.css" web/report/style.css > "$new/style"
 pour report page.html
 
-for script in events field score main; do cat "web/summary/js/$script.js"; done > "$new/script"
+for script in events decisions field score main; do cat "web/summary/js/$script.js"; done > "$new/script"
 cp web/summary/style.css "$new/style"
 pour summary summary.html
 

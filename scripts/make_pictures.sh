@@ -1,15 +1,15 @@
 #!/usr/bin/env bash
 # Makes the pictures of doc/img/ and README's sample output anew, by the commands that stand beside them there; `make
 # pictures` builds first what this needs.
-#   scripts/make_pictures.sh [goal] [match] [graph] [floors] [walk] [report] [agent] [fault]   all, if none is named; report takes some
-# minutes. Times in the graph of modules are true on a machine that does nothing else.
+#   scripts/make_pictures.sh [goal] [match] [team] [graph] [floors] [walk] [report] [agent] [fault]   all, if none is named
+# The report takes some minutes. Times in the graph of modules are true on a machine that does nothing else.
 # Example: scripts/make_pictures.sh goal
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 fail() { echo "make_pictures.sh: $*" >&2; exit 2; }
 wanted=("$@")
-((${#wanted[@]})) || wanted=(goal match graph floors walk report agent fault)
+((${#wanted[@]})) || wanted=(goal match team graph floors walk report agent fault)
 work=$(mktemp -d)
 server=""
 trap '[[ $server ]] && kill "$server" 2> /dev/null; rm -rf "$work"' EXIT
@@ -35,16 +35,29 @@ goal() {
   echo README.md
 }
 
-match() {
-  scripts/match.sh --fast --seconds 40 --seed 1 --page 0 --record "$work/match.plm" > "$work/match.log" || fail "$(cat "$work/match.log")"
-  (cd "$work" && exec "$OLDPWD/bin/webmonitor" --replay match.plm --web-port 0 > page.log) &
+# A match of the recording's name, with options of scripts/match.sh; its replay as a picture: second of the game, and from where.
+matchPicture() { # name, second, eye, options...
+  local name=$1 second=$2 eye=$3
+  shift 3
+  scripts/match.sh --fast --page 0 --record "$work/$name.plm" "$@" > "$work/match.log" || fail "$(cat "$work/match.log")"
+  (cd "$work" && exec "$OLDPWD/bin/webmonitor" --replay "$name.plm" --web-port 0 > "$name.log") &
   server=$!
-  until grep -qs http "$work/page.log"; do kill -0 $server || fail "$(cat "$work/page.log")"; sleep 0.1; done
-  node tests/e2e/web/moment.mjs "$(sed -n 's#.*\(http://localhost:[0-9]*/\).*#\1#p' "$work/page.log")" "$work/match.jpg" 25 \
+  until grep -qs http "$work/$name.log"; do kill -0 $server || fail "$(cat "$work/$name.log")"; sleep 0.1; done
+  node tests/e2e/web/moment.mjs "$(sed -n 's#.*\(http://localhost:[0-9]*/\).*#\1#p' "$work/$name.log")" "$work/$name.jpg" "$second" "$eye" \
     > "$work/look.log" || fail "the browser: $(tail -3 "$work/look.log")"
   kill $server
   server=""
+}
+
+match() {
+  matchPicture match 25 -2.5,-8.5,4 --seconds 40 --seed 1
   put "$work/match.jpg" webmonitor.jpg
+}
+
+# Roles, ways and beliefs of a team of four.
+team() {
+  matchPicture team 12 -1,-9,9 --left 4 --right 2 --seconds 20 --seed 2 --draw team,belief
+  put "$work/team.jpg" team-drawings.jpg
 }
 
 # With what each module takes on the way to a goal.
@@ -167,7 +180,7 @@ fault() {
 
 for name in "${wanted[@]}"; do
   case $name in
-    goal | match | graph | floors | walk | report | agent | fault) "$name" ;;
-    *) fail "no picture '$name'; there is goal, match, graph, floors, walk, report, agent, fault" ;;
+    goal | match | team | graph | floors | walk | report | agent | fault) "$name" ;;
+    *) fail "no picture '$name'; there is goal, match, team, graph, floors, walk, report, agent, fault" ;;
   esac
 done

@@ -2,10 +2,10 @@
 # One command for a match: the embedded simulator, two teams of our robots, the kick-off, and a page to watch it on.
 set -uo pipefail
 bin=$(cd "$(dirname "${BASH_SOURCE[0]}")/../bin" && pwd)
-left=11 right=11 leftName=Plumbline rightName=Line seconds="" page=8080 record="" seed=0 field=()
+left=11 right=11 leftName=Plumbline rightName=Line seconds="" page=8080 record="" seed=0 field=() agent=()
 # As in bin/start.sh: at most 7 of a type, 9 of any two, three types in a full team.
 types=(4 4 4 2 4 2 4 4 4 3 3)
-terminal=""
+terminal="" draw="" decisions=""
 [[ -t 1 ]] && terminal=1
 
 usage() {
@@ -16,6 +16,8 @@ usage: make match ARGS="[options]", or scripts/match.sh [options] [-- OPTIONS OF
   --seconds N           ends after so many seconds of play [in a terminal: until Ctrl-C; else 60]
   --page N              port of the page, 0: a free one [$page, or a free one if it is in use]; --no-page: none
   --record FILE         writes the match to a file; bin/webmonitor --replay FILE shows it
+  --draw NAMES          shows drawings of all robots on the page: groups as team,belief, or what bin/agent --draw takes
+  --decisions FOLDER    the strikers' decisions, for bin/webmonitor --summary FILE --decisions FOLDER
   --fast                as fast as it goes instead of in real time [so without a terminal]
   --realtime            in real time without a terminal, too
   --field FILE          sizes of the field for simulator and robots, as config/field.yaml
@@ -24,6 +26,8 @@ Ctrl-C ends simulator and robots.
 Examples:
   make match
   make match ARGS="--left 3 --right 3 --seconds 120 --record match.plm"
+  make match ARGS="--draw team,belief"
+  make match ARGS="--seconds 300 --record match.plm --decisions decisions"
 END
 }
 fail() { echo "match.sh: $*; see match.sh --help" >&2; exit 2; }
@@ -39,7 +43,7 @@ while (($#)); do
     --fast) fast=1; shift ;;
     --realtime) fast=""; shift ;;
     --no-page) page=""; shift ;;
-    --left | --right | --left-name | --right-name | --seconds | --page | --record | --field | --seed)
+    --left | --right | --left-name | --right-name | --seconds | --page | --record | --draw | --decisions | --field | --seed)
       (($# > 1)) || fail "$1 needs a value"
       case $1 in
         --left) count "$1" "$2" 11; left=$2 ;;
@@ -49,6 +53,8 @@ while (($#)); do
         --seconds) count "$1" "$2" 100000; seconds=$2 ;;
         --page) count "$1" "$2" 65535; page=$2 anyPage="" ;;
         --record) record=$2 ;;
+        --draw) agent+=(--draw "$2") draw=1 ;;
+        --decisions) agent+=(--decisions "$2") decisions=$2 ;;
         --field) [[ -r $2 ]] || fail "--field $2 cannot be read"; field=(--field "$2") ;;
         --seed) count "$1" "$2" 999999; seed=$2 ;;
       esac
@@ -63,7 +69,12 @@ done
 ((left + right)) || fail "nobody is to play"
 [[ $record && ! $page ]] && fail "--record records what the page shows: not with --no-page"
 [[ $record && -e $record ]] && fail "$record exists already"
+[[ $draw && ! $page ]] && fail "--draw shows on the page: not with --no-page"
+# The names of the files are those of sides and numbers: an older match's would be taken for this one's.
+[[ $decisions ]] && compgen -G "$decisions/*.csv" > /dev/null && fail "$decisions holds decisions already"
 for program in simulator agent watchgame; do [[ -x $bin/$program ]] || fail "no $bin/$program: make SimRelease builds it"; done
+# A wrong name is said before anything starts.
+((${#agent[@]} == 0)) || wrong=$("$bin/agent" "${agent[@]}" --parameters 2>&1 > /dev/null) || { wrong=${wrong#agent: }; fail "${wrong%; see agent --help}"; }
 if [[ ! $seconds && ! $terminal ]]; then seconds=60; fi
 
 scratch=$(mktemp -d) || exit 2
@@ -90,6 +101,7 @@ options=(--port 0 --monitor-port 0 --ports-file "$scratch/ports.json" --wait-age
   --die-with-parent --seed "$seed" "${field[@]}")
 if [[ $page && $anyPage ]]; then options+=(--web); elif [[ $page ]]; then options+=(--web "$page"); fi
 [[ $record ]] && options+=(--record "$record")
+[[ $draw ]] && options+=(--drawing-port 0)
 [[ $seconds ]] && options+=(--max-seconds $((seconds + kickOff)))
 if [[ $fast ]]; then options+=(--sync); else options+=(--realtime); fi
 "$bin/simulator" "${options[@]}" "$@" > "$scratch/simulator.log" 2>&1 < /dev/null &
@@ -98,12 +110,13 @@ children+=("$simulator")
 trouble() { echo "match.sh: the simulator ended: $(tail -n 1 "$scratch/simulator.log" | sed 's/^simulator: //')" >&2; exit 2; }
 until [[ -s $scratch/ports.json ]]; do kill -0 $simulator 2> /dev/null || trouble; sleep 0.05; done
 grep 'watch at' "$scratch/simulator.log" | sed 's/^simulator: //'
+[[ $draw ]] && agent+=(--drawing-port "$(sed -n 's/^simulator: drawings on UDP port //p' "$scratch/simulator.log")")
 read -r agentPort monitorPort _ < <(tr -cs '0-9\n' ' ' < "$scratch/ports.json")
 
 # One after the other, so that the server gives them their places in this order.
 start() { # team, number
   "$bin/agent" --team "$1" --number "$2" --type "${types[$2 - 1]}" --host 127.0.0.1 --port "$agentPort" \
-    --monitor-port "$monitorPort" "${field[@]}" > "$scratch/$1-$2.log" 2>&1 < /dev/null &
+    --monitor-port "$monitorPort" "${field[@]}" "${agent[@]}" > "$scratch/$1-$2.log" 2>&1 < /dev/null &
   children+=($!)
   sleep 0.1
 }
@@ -121,4 +134,5 @@ wait $simulator || status=$?
 ((status == 0)) || trouble
 wait "$watcher"
 if [[ $record ]]; then echo "bin/webmonitor --replay $record shows it again"; fi
+if [[ $record && $decisions ]]; then echo "bin/webmonitor --summary $record --decisions $decisions makes a page of it"; fi
 exit 0

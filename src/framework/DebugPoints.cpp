@@ -28,6 +28,12 @@ void DebugPoints::addLocked(DebugPoint& point) {
   point.state_.store(entry.requests ? DebugPoint::State::on : DebugPoint::State::off);
 }
 
+void DebugPoints::expect(const std::string& id, DebugKind kind) {
+  const std::lock_guard lock(mutex_);
+  const auto [entry, isNew] = entries_.try_emplace(id);
+  if (isNew) entry->second.kind = kind;
+}
+
 void DebugPoints::add(DebugPoint& point) {
   const std::lock_guard lock(mutex_);
   addLocked(point);

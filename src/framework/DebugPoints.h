@@ -26,6 +26,8 @@ public:
   /// Those of the macros of DebugSite.h, in all of the program.
   static DebugPoints& sites();
 
+  /// Lists an id before its first point comes, so that requests can wait for it there.
+  void expect(const std::string& id, DebugKind kind);
   /// The point must live until remove().
   void add(DebugPoint& point);
   /// The same without waiting; false: not now.

@@ -1,7 +1,9 @@
 #include "framework/Drawing.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace plumbline {
 namespace {
@@ -60,6 +62,26 @@ void Drawing::add(shapes::Form form, const shapes::Colour& colour) {
 
 void Drawing::circle(const Place& centre, double radius, const shapes::Colour& colour, double thickness) {
   add(shapes::Circle{placed(centre).head<2>(), radius, thickness}, colour);
+}
+
+void Drawing::ellipse(const Place& centre, const Mat2& covariance, const shapes::Colour& colour,
+                      double deviations, double thickness) {
+  constexpr int parts = 16;
+  constexpr double round =
+      0.95;  // a shorter axis of this share of the longer one: nobody sees the difference
+  if (!covariance.allFinite()) return;
+  const Eigen::SelfAdjointEigenSolver<Mat2> axes(0.5 * (covariance + covariance.transpose()));
+  if (axes.eigenvalues()[1] < 0) return;
+  // What rounding made a little negative is zero.
+  const Vec2 lengths = deviations * axes.eigenvalues().cwiseMax(0).cwiseSqrt();
+  if (lengths[0] >= round * lengths[1]) return circle(centre, lengths.mean(), colour, thickness);
+  const auto at = [&](int i) {
+    const double angle = 2 * std::numbers::pi * (i % parts) / parts;
+    Vec3 place = centre.at;
+    place.head<2>() += axes.eigenvectors() * lengths.cwiseProduct(Vec2(std::cos(angle), std::sin(angle)));
+    return place;
+  };
+  for (int i = 0; i < parts; ++i) line(at(i), at(i + 1), colour, thickness);
 }
 
 void Drawing::line(const Place& begin, const Place& end, const shapes::Colour& colour, double thickness) {

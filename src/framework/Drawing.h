@@ -48,6 +48,11 @@ public:
   void in(DrawingFrame frame, const Pose2& T_frame_own);
 
   void circle(const Place& centre, double radius, const shapes::Colour& colour, double thickness = 2);
+  /// Where a point lies that is normally distributed about `centre`, out to so many standard deviations. The
+  /// covariance [m^2] is that of x and y in the drawing's frame. A circle where all directions are about as
+  /// uncertain, else a line of 16 parts; nothing for what is no covariance.
+  void ellipse(const Place& centre, const Mat2& covariance, const shapes::Colour& colour,
+               double deviations = 2, double thickness = 2);
   void line(const Place& begin, const Place& end, const shapes::Colour& colour, double thickness = 2);
   void point(const Place& place, const shapes::Colour& colour, double size = 4);
   void arrow(const Place& begin, const Place& end, const shapes::Colour& colour, double thickness = 2);

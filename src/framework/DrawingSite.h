@@ -3,6 +3,7 @@
 
 #include "framework/DebugSite.h"
 #include "framework/Drawing.h"
+#include "framework/DrawingNames.h"
 
 // Drawings in the code (doc/reference/debug-protocol.md): off by default, and then a relaxed load, as all of
 // DebugSite.h. An id is a string literal, `draw:BallLocator:ball`.
@@ -44,7 +45,10 @@ void draw(DebugPoint& point, Draw&& code) {
 ///
 ///     DEBUG_DRAWING("draw:BallLocator:ball", drawing.in(DrawingFrame::robot);
 ///                   drawing.sphere(position, 0.042, colours::orange));
-#define DEBUG_DRAWING(id, ...) \
-  PLUMBLINE_DEBUG_POINT(       \
-      id, drawing,             \
-      ::plumbline::debugging::draw(plumblinePoint, [&](::plumbline::Drawing& drawing) { __VA_ARGS__; }))
+#define DEBUG_DRAWING(id, ...)                                                                              \
+  do {                                                                                                      \
+    static_cast<void>(&::plumbline::debugging::NotedDrawing<id>::noted);                                    \
+    PLUMBLINE_DEBUG_POINT(                                                                                  \
+        id, drawing,                                                                                        \
+        ::plumbline::debugging::draw(plumblinePoint, [&](::plumbline::Drawing& drawing) { __VA_ARGS__; })); \
+  } while (false)

@@ -1,5 +1,6 @@
 #pragma once
 #include <atomic>
+#include <map>
 #include <string>
 
 #include "framework/Drawing.h"
@@ -25,12 +26,14 @@ class DrawingViewer {
 public:
   /// Throws std::runtime_error, one line, for what is no address.
   DrawingViewer(const ViewerOptions& options, const DrawingOwner& owner);
-  /// In place of what it showed; an empty drawing hides it.
-  void show(const std::string& id, const Drawing& drawing) const;
+  /// In place of what it showed; an empty drawing hides it. Where the owner has become another one since, as
+  /// when the server has told its number, what was shown under the old name is hidden.
+  void show(const std::string& id, const Drawing& drawing);
 
 private:
   simspark::RoboVizSender sender_;
   const DrawingOwner& owner_;
+  std::map<std::string, std::string> sets_;  ///< by id, the name under which it is shown
 };
 
 }  // namespace plumbline::inspect

@@ -4,12 +4,14 @@
 #include <cstdio>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "framework/CommandLine.h"
 #include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
 #include "framework/Controller.h"
 #include "framework/CrashLog.h"
+#include "framework/DrawingNames.h"
 #include "framework/GraphWriter.h"
 #include "framework/GuardedMain.h"
 #include "framework/LogBuffer.h"
@@ -18,6 +20,7 @@
 #include "framework/TimingPlugin.h"
 #include "framework/WriteFile.h"
 #include "modules/behavior/MotionPlayer.h"
+#include "modules/evaluation/DecisionRecorder.h"
 #include "modules/infrastructure/AgentLog.h"
 #include "modules/infrastructure/CognitionConfigLoader.h"
 #include "modules/infrastructure/DebugModule.h"
@@ -36,13 +39,23 @@ constexpr int faultStatus = 1;  // not a mistake of the user: a server that went
 
 struct Options {
   std::string platform = defaultPlatform, config, modules, field, graph, stats, motion;
-  std::string crashLog = "crash.log";
+  std::string decisions, crashLog = "crash.log";
   std::shared_ptr<DebugOptions> debug = std::make_shared<DebugOptions>();
   AgentLogOptions log;
+  std::vector<std::string> drawings;
   pages::PageServer::Config web{.port = pages::AgentPage::standardPort};
   bool debugs = false, serves = false;
   bool motionOnce = false, status = false, timing = false, verbose = false, parameters = false;
 };
+
+std::string drawingProblem(const std::string& name) {
+  try {
+    chosenDrawings({name});
+    return {};
+  } catch (const std::invalid_argument& error) {
+    return error.what();
+  }
+}
 
 void declare(CommandLine& app, Options& options, Platform& platform) {
   std::string names;
@@ -80,6 +93,15 @@ void declare(CommandLine& app, Options& options, Platform& platform) {
              "with --debug: the token that clients must send first")
       .needs(debug);
   declareLogOptions(app, options.log);
+  app.option("--decisions", options.decisions,
+             "write the striker's decisions and what it decided against into FOLDER/SIDE-NUMBER.csv, for "
+             "bin/webmonitor --summary");
+  app.option("--draw", options.drawings,
+             "show these drawings in the viewer from the start: names separated by commas, of drawings "
+             "(BallLocator:ball), modules (BallLocator) or groups (team, belief)")
+      .byCommas()
+      .oneValueEach()
+      .check(drawingProblem);
   app.option("--drawing-port", options.debug->viewer.port,
              "UDP port of the viewer (RoboViz, bin/webmonitor) in which drawings that are switched on appear")
       .port()
@@ -100,11 +122,13 @@ void declare(CommandLine& app, Options& options, Platform& platform) {
   app.flag("-v,--verbose", options.verbose, "print every step of every cycle and all log messages");
   app.option("--crash-log", options.crashLog, "file written if the agent dies by a signal").showDefault();
   app.flag("--status", options.status, "print a line per second: the robot's estimates and what it does");
-  app.footer("Examples:\n" + platform.examples() +
-             "  bin/agent --graph graph.svg                              draw the module graph\n"
-             "  bin/agent --start-simulator --log game                   record all that modules know\n"
-             "  bin/agent --replay game --log again                      the modules once more, on what was "
-             "recorded");
+  app.footer(
+      "Examples:\n" + platform.examples() +
+      "  bin/agent --graph graph.svg                              draw the module graph\n"
+      "  bin/agent --start-simulator --draw team,belief           show roles, ways and beliefs in a viewer\n"
+      "  bin/agent --start-simulator --log game                   record all that modules know\n"
+      "  bin/agent --replay game --log again                      the modules once more, on what was "
+      "recorded");
 }
 
 void writeStats(const Controller& controller, const std::string& path) {
@@ -199,8 +223,13 @@ int runAgent(const Options& options, const Platform& platform) {
   controller.objects().set(std::make_shared<MotionToPlay>(MotionToPlay{options.motion, options.motionOnce}));
   controller.objects().set(std::make_shared<FieldChoice>(FieldChoice{options.field}));
   controller.objects().set(std::make_shared<StatusOptions>(StatusOptions{options.status}));
-  if (options.debugs || options.serves) {
+  if (!options.decisions.empty()) {
+    requireModule(controller, setup.modulesConfig, "DecisionRecorder", "writes no decisions");
+    controller.objects().set(std::make_shared<DecisionOptions>(DecisionOptions{options.decisions}));
+  }
+  if (options.debugs || options.serves || !options.drawings.empty()) {
     requireModule(controller, setup.modulesConfig, "DebugModule", "has no debug port");
+    options.debug->drawings = chosenDrawings(options.drawings);
     options.debug->tell = tell;
     options.debug->server.listens = options.debugs;
     if (options.serves)

@@ -12,6 +12,7 @@
 #include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
+#include "web/DecisionFiles.h"
 #include "web/GameSummary.h"
 #include "web/WebMonitor.h"
 
@@ -36,13 +37,16 @@ int runProgram(int argc, char** argv) {
   const CommandOption record = app.option("--record", config.live.record, "Write the match to this file");
   app.option("--replay", config.replay, "Show this match file instead of a running game").excludes(record);
   app.option("--page", config.server.folder, "Folder of the page [where `make web` puts it]");
-  std::string summary, output, replayAddress = "http://localhost:8080/";
+  std::string summary, output, decisions, replayAddress = "http://localhost:8080/";
   const CommandOption sums =
       app.option("--summary", summary,
                  "Instead of showing a game: write a page about this match file, complete in "
-                 "itself: score, ways, shots, passes, falls")
+                 "itself: score, ways, shots, passes, falls, decisions")
           .excludes(record);
   app.option("-o,--output", output, "With --summary: the page's file [the match file's name with .html]")
+      .needs(sums);
+  app.option("--decisions", decisions,
+             "With --summary: folder of the files that bin/agent --decisions wrote in that match")
       .needs(sums);
   app.option("--replay-at", replayAddress,
              "With --summary: where bin/webmonitor --replay shows the match, for the page's links")
@@ -50,7 +54,8 @@ int runProgram(int argc, char** argv) {
       .showDefault();
   app.footer(
       "Examples:\n  bin/webmonitor --port 3200\n  bin/webmonitor --replay match.plm\n"
-      "  bin/webmonitor --summary match.plm -o match.html");
+      "  bin/webmonitor --summary match.plm -o match.html\n"
+      "  bin/webmonitor --summary match.plm --decisions decisions");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
   config.live.drawingPortOptional = !drawingPort.given();
   StopSignal stop;
@@ -58,7 +63,8 @@ int runProgram(int argc, char** argv) {
   if (sums.given()) {
     if (output.empty()) output = std::filesystem::path(summary).replace_extension(".html").string();
     const std::string page = web::builtSummaryPage();
-    writeFile(output, web::summaryPage(page, web::gameTracks(summary), replayAddress));
+    const std::string decided = decisions.empty() ? "null" : web::gameDecisions(decisions);
+    writeFile(output, web::summaryPage(page, web::gameTracks(summary), replayAddress, decided));
     std::printf("webmonitor: %s\n", output.c_str());
     return 0;
   }

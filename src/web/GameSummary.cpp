@@ -175,14 +175,16 @@ std::string gameTracks(const std::string& recording) {
       .dump(-1, ' ', true, json::error_handler_t::replace);
 }
 
-std::string summaryPage(const std::string& builtPage, const std::string& tracks, const std::string& replay) {
+std::string summaryPage(const std::string& builtPage, const std::string& tracks, const std::string& replay,
+                        const std::string& decisions) {
   constexpr std::string_view mark = "/*GAME*/";
   const std::size_t at = builtPage.find(mark);
   if (at == std::string::npos)
     throw std::runtime_error("build/report/summary.html is broken: run `make web` again");
   // Within a script, < could begin the script's end.
   std::string text;
-  for (const char c : "{\"replay\":" + json(replay).dump(-1, ' ', true) + ",\"game\":" + tracks + '}')
+  for (const char c : "{\"replay\":" + json(replay).dump(-1, ' ', true) + ",\"decisions\":" + decisions +
+                          ",\"game\":" + tracks + '}')
     c == '<' ? text += "\\u003c" : text += c;
   return builtPage.substr(0, at) + text + builtPage.substr(at + mark.size());
 }

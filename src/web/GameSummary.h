@@ -10,8 +10,10 @@ namespace plumbline::web {
 /// is absent. Throws std::runtime_error, one line, for another file.
 std::string gameTracks(const std::string& recording);
 
-/// The page of a recorded game, complete in itself: `replay` is where bin/webmonitor --replay shows it.
-std::string summaryPage(const std::string& builtPage, const std::string& tracks, const std::string& replay);
+/// The page of a recorded game, complete in itself: `replay` is where bin/webmonitor --replay shows it;
+/// `decisions` is what gameDecisions returns (DecisionFiles.h), or "null".
+std::string summaryPage(const std::string& builtPage, const std::string& tracks, const std::string& replay,
+                        const std::string& decisions = "null");
 
 /// The page to be filled, beside the running program; throws std::runtime_error, one line, if it is not
 /// built.

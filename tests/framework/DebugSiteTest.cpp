@@ -178,5 +178,23 @@ TEST(AgentDebugTest, aRepresentationIsSetBehindItsUpdateAndTheNextModuleSeesIt) 
   EXPECT_EQ(controller.find<Beta>()->value, 50);
 }
 
+TEST(DebugPointsTest, requestsWaitForAPointThatIsExpected) {
+  DebugPoints points;
+  points.expect("draw:later", DebugKind::drawing);
+  EXPECT_EQ(points.find("draw:later"), DebugKind::drawing);
+  const Attached early(points, "draw:later");
+  EXPECT_TRUE(early.known);
+  DebugPoint point("draw:later", DebugKind::output);
+  points.add(point);
+  EXPECT_EQ(points.find("draw:later"), DebugKind::output) << "what it really is";
+  int value = 7;
+  debugging::output(point, value);
+  EXPECT_EQ(early.note->values, std::vector<std::string>{"7 "});
+  // An id that is known stays what it is.
+  points.expect("draw:later", DebugKind::drawing);
+  EXPECT_EQ(points.find("draw:later"), DebugKind::output);
+  points.remove(point);
+}
+
 }  // namespace
 }  // namespace plumbline

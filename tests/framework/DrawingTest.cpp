@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 #include <numbers>
 
@@ -53,6 +55,61 @@ TEST_F(DrawingTest, anArrowIsALineWithAHead) {
   EXPECT_TRUE(form<Line>(drawing, 5).end.allFinite());
   drawing.arrow(Vec2(1, 1), Vec2(1, 1), colours::blue);
   EXPECT_EQ(drawing.shapes().size(), 7u);
+}
+
+/// The axes of an ellipse that was drawn as lines about a centre: the longest and the shortest way from it
+/// [m].
+Vec2 axesOf(const Drawing& drawing, const Vec3& centre) {
+  double longest = 0, shortest = 1e9;
+  for (const shapes::Shape& shape : drawing.shapes()) {
+    const double way = (std::get<Line>(shape.form).begin - centre).norm();
+    longest = std::max(longest, way);
+    shortest = std::min(shortest, way);
+  }
+  return {longest, shortest};
+}
+
+TEST_F(DrawingTest, anEllipseIsAClosedLineAlongTheAxesOfTheCovariance) {
+  const Mat2 turn = Pose2(0, 0, 0.6).rotation();
+  const Mat2 covariance = turn * Vec2(0.25, 0.01).asDiagonal() * turn.transpose();
+  drawing.ellipse(Vec2(3, 4), covariance, colours::red, 2, 3);
+  ASSERT_EQ(drawing.shapes().size(), 16u);
+  EXPECT_TRUE(axesOf(drawing, Vec3(3, 4, 0)).isApprox(Vec2(1, 0.2), 1e-9)) << "two standard deviations";
+  bool along = false;
+  for (std::size_t i = 0; i < 16; ++i) {
+    EXPECT_TRUE(form<Line>(drawing, i).end.isApprox(form<Line>(drawing, (i + 1) % 16).begin));
+    EXPECT_EQ(form<Line>(drawing, i).thickness, 3);
+    along =
+        along || form<Line>(drawing, i).begin.isApprox(Vec3(3 + std::cos(0.6), 4 + std::sin(0.6), 0), 1e-9);
+  }
+  EXPECT_TRUE(along) << "the longer axis is the covariance's";
+}
+
+TEST_F(DrawingTest, anEllipseIsTurnedWithItsFrame) {
+  drawing.in(DrawingFrame::robot);  // at (1, 2), looking along y
+  drawing.ellipse(Vec2(1, 0), Vec2(1, 0.01).asDiagonal().toDenseMatrix(), colours::red, 1);
+  bool along = false;
+  for (std::size_t i = 0; i < 16; ++i)
+    along = along || form<Line>(drawing, i).begin.isApprox(Vec3(1, 4, 0), 1e-9);
+  EXPECT_TRUE(along);
+}
+
+TEST_F(DrawingTest, anEllipseOfEqualAxesIsACircle) {
+  drawing.ellipse(Vec2(1, 2), 0.09 * Mat2::Identity(), colours::red);
+  ASSERT_EQ(drawing.shapes().size(), 1u);
+  EXPECT_EQ(form<Circle>(drawing, 0).centre, Vec2(1, 2));
+  EXPECT_NEAR(form<Circle>(drawing, 0).radius, 0.6, 1e-12);
+}
+
+TEST_F(DrawingTest, whatIsNoCovarianceHasNoEllipse) {
+  drawing.ellipse(Vec2(0, 0), std::numeric_limits<double>::quiet_NaN() * Mat2::Identity(), colours::red);
+  drawing.ellipse(Vec2(0, 0), -Mat2::Identity(), colours::red);
+  drawing.ellipse(Vec2(std::numeric_limits<double>::infinity(), 0), Mat2::Identity(), colours::red);
+  EXPECT_TRUE(drawing.shapes().empty());
+  // A line's: one axis without length, a little below zero by rounding.
+  drawing.ellipse(Vec2(0, 0), Vec2(1, -1e-18).asDiagonal().toDenseMatrix(), colours::red);
+  EXPECT_EQ(drawing.shapes().size(), 16u);
+  EXPECT_NEAR(axesOf(drawing, Vec3::Zero()).x(), 2, 1e-9);
 }
 
 TEST_F(DrawingTest, whatIsNotFiniteOrBeyondTheBoundsIsLeftOut) {

@@ -98,7 +98,7 @@ TEST_F(GameSummaryTest, aRecordingWithoutAGameIsRefused) {
 
 TEST(SummaryPageTest, thePageHoldsWhatNoTeamsNameCanEnd) {
   EXPECT_EQ(summaryPage("<a>/*GAME*/</a>", R"({"name":"</script>"})", "http://x/"),
-            "<a>{\"replay\":\"http://x/\",\"game\":{\"name\":\"\\u003c/script>\"}}</a>");
+            "<a>{\"replay\":\"http://x/\",\"decisions\":null,\"game\":{\"name\":\"\\u003c/script>\"}}</a>");
   EXPECT_EQ(thrownBy([] { summaryPage("nothing", "{}", ""); }),
             "build/report/summary.html is broken: run `make web` again");
 }

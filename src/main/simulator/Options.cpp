@@ -42,7 +42,7 @@ struct Given {
   std::uint64_t seed = 0;
   bool realTime = false, frozenLimbs = true, openAgents = false, printRules = false;
   double monitorStep = 0.04, maxSeconds = 0, kickOffAfter = 0, halfTime = 300;
-  int waitForAgents = 0, replayType = 0, webPort = -1, fieldPort = 0;
+  int waitForAgents = 0, replayType = 0, webPort = -1, drawingPort = 0, fieldPort = 0;
 };
 
 void complete(Options& options, const Given& given, const CommandLine& app) {
@@ -81,6 +81,9 @@ void complete(Options& options, const Given& given, const CommandLine& app) {
   }
   if (!options.recordFile.empty() && !options.webPort)
     throw std::runtime_error("--record records what the page shows: give --web as well");
+  if (set("--drawing-port")) options.drawingPort = given.drawingPort;
+  if (options.drawingPort && !options.webPort)
+    throw std::runtime_error("--drawing-port takes what the page shows: give --web as well");
   if (set("--type")) options.replayType = given.replayType;
   server.simulation.seed = given.seed != 0 ? given.seed : std::random_device()();
 }
@@ -159,6 +162,9 @@ Options parseOptions(int argc, char** argv) {
   app.option("--web", given.webPort,
              "Show the game on a page, on this port; 0: a free one [8080, or a free one if it is in use]")
       .valueOptional()
+      .check(aPort);
+  app.option("--drawing-port", given.drawingPort,
+             "With --web: UDP port of the agents' drawings; 0: a free one [32769, or none if it is in use]")
       .check(aPort);
   app.option("--record", options.recordFile, "With --web: write the match to this file");
   app.flag("-v,--verbose", options.verbose, "Print the time that the run took at the end");

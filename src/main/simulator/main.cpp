@@ -45,7 +45,8 @@ std::unique_ptr<web::WebMonitor> openPage(const Options& options, const Server& 
   config.live.host = address == "0.0.0.0" || address == "::" ? "127.0.0.1" : address;
   config.live.port = server.monitorPort();
   config.live.token = options.server.monitors.token;
-  config.live.drawingPortOptional = true;
+  config.live.drawingPortOptional = !options.drawingPort;
+  if (options.drawingPort) config.live.drawingPort = *options.drawingPort;
   config.live.record = options.recordFile;
   config.live.recordingLost = [](const std::string& why) {
     std::fprintf(stderr, "simulator: the recording ends here: %s\n", why.c_str());
@@ -53,6 +54,7 @@ std::unique_ptr<web::WebMonitor> openPage(const Options& options, const Server& 
   };
   auto page = std::make_unique<web::WebMonitor>(config);
   std::printf("simulator: watch at %s\n", page->address().c_str());
+  if (options.drawingPort) std::printf("simulator: drawings on UDP port %d\n", page->drawingPort());
   if (!page->drawingProblem().empty())
     std::printf("simulator: without the agents' drawings: %s\n", page->drawingProblem().c_str());
   std::fflush(stdout);

@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/DrawingSite.h"
 #include "modules/behavior/RestartModes.h"
+#include "modules/behavior/formation/PlanDrawing.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {
@@ -160,6 +162,9 @@ void Formation::update(PlayerRole* thePlayerRole) {
     const Vec2 toBall = ball_ - place;
     role.place = Pose2(place, std::atan2(toBall.y(), toBall.x()));
   }
+  DEBUG_DRAWING("draw:team:role", drawRole(drawing, theRobotPose->pose.position, thePlayerInfo->number,
+                                           role.role, ball_, all, colours::white));
+  DEBUG_DRAWING("draw:Formation:plan", drawPlan(drawing, team, made.roles, ball_, all));
 }
 
 }  // namespace plumbline

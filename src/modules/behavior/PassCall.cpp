@@ -1,5 +1,7 @@
 #include "modules/behavior/PassCall.h"
 
+#include "framework/DrawingSite.h"
+
 namespace plumbline {
 
 MAKE_MODULE(PassCall)
@@ -12,6 +14,12 @@ void PassCall::update(PassRequest* thePassRequest) {
                            theBallPos->valid && theBallPos->relative.norm() < reach &&
                            (theFieldDimensions->opponentGoal() - ball).norm() > goalDistance &&
                            theOtherRobots->nearestOpponent(ball) < threat;
+  // The circle that opponents must leave.
+  DEBUG_DRAWING("draw:team:pass", {
+    if (!thePassRequest->active) return;
+    drawing.circle(ball, 1, colours::violet, 3);
+    drawing.text(ball, "pass mode?", colours::violet);
+  });
 }
 
 }  // namespace plumbline

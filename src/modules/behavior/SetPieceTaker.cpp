@@ -1,7 +1,11 @@
 #include "modules/behavior/SetPieceTaker.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+
+#include "framework/DrawingSite.h"
 
 namespace plumbline {
 
@@ -53,6 +57,27 @@ const SetPiecePlace* SetPieceTaker::chooseKick(const SetPiece& piece) {
   return best;
 }
 
+/// Who takes it, where the ball may go with what that is worth, and the choice; or where the player waits.
+void SetPieceTaker::draw(const SetPiece& piece, const Vec2& target) const {
+  DEBUG_DRAWING("draw:team:setPiece", {
+    constexpr std::size_t most = 20;
+    const Vec2& own = theRobotPose->pose.position;
+    const Vec2& ball = theBallPos->field;
+    drawing.line(own, piece.kick.empty() ? target : ball, colours::orange, 2);
+    drawing.circle(own, 0.3, colours::orange, 3);
+    drawing.text(own, piece.name, colours::orange);
+    for (std::size_t i = 0; i < piece.kick.size() && i < most; ++i) {
+      const Vec2 end = piece.kick[i].at(ball, theFieldDimensions->length / 2);
+      drawing.point(end, colours::orange, 6);
+      drawing.text(end, fmt::format("{:.1f}", worth(end)), colours::orange);
+    }
+    if (piece.kick.empty())
+      drawing.circle(target, 0.2, colours::orange, 2);
+    else
+      drawing.arrow(ball, target, colours::orange, 3);
+  });
+}
+
 void SetPieceTaker::update(SetPieceOutput* theSetPieceOutput) {
   BehaviorOutput& output = *theSetPieceOutput;
   output.clear();
@@ -70,12 +95,14 @@ void SetPieceTaker::update(SetPieceOutput* theSetPieceOutput) {
     output.skill = Skill::kick;
     output.tolerance = tolerance;
     output.target = Pose2(chosen_->at(ball, theFieldDimensions->length / 2));
+    draw(*piece, output.target.position);
     return;
   }
   const Vec2 place = piece->stand->at(ball, theFieldDimensions->length / 2);
   const Vec2 toBall = ball - place;
   output.skill = Skill::moveToPos;
   output.target = Pose2(place, std::atan2(toBall.y(), toBall.x()));
+  draw(*piece, place);
 }
 
 }  // namespace plumbline

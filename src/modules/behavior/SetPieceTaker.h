@@ -39,6 +39,7 @@ public:
 private:
   double worth(const Vec2& end) const;
   const SetPiecePlace* chooseKick(const SetPiece& piece);
+  void draw(const SetPiece& piece, const Vec2& target) const;
 
   SetPieces pieces_;
   const SetPiecePlace* chosen_ = nullptr;

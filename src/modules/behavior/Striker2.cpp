@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "framework/DrawingSite.h"
 #include "modules/behavior/RestartModes.h"
@@ -57,7 +58,9 @@ StrikerSituation Striker2::situation() const {
 
 void Striker2::play(BehaviorOutput& output) {
   const StrikerSituation now = situation();
-  action_ = chooseAction(now, action_, *value_, time, choice);
+  action_ = chooseAction(now, action_, *value_, time, choice, &compared_);
+  plays_ = true;
+  playedBall_ = now.ball;
   const bool kick = action_.kind == StrikerAction::Kind::kick;
   output.skill = kick ? Skill::kick : Skill::dribble;
   output.tolerance = kick ? std::clamp(action_.tolerance, leastTolerance, mostTolerance) : 0;
@@ -76,6 +79,7 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
   output.clear();
   output.active = true;
   output.skill = Skill::stand;
+  plays_ = false;
   if (theGameState->playMode != PlayMode::passOwn) passSince_ = theGameState->time;
   // A goalie or supporter acts by its own behaviour, which stands before this one in modules.cfg: nothing is
   // worked out for it.
@@ -105,6 +109,37 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
     return;
   }
   play(output);
+}
+
+StrikerOption Striker2::optionOf(const StrikerAction& action) const {
+  StrikerOption option;
+  option.action = Skill::dribble;
+  if (action.kind == StrikerAction::Kind::kick) {
+    // Kicks are told apart by how far they carry, as in ActionChoice.
+    const auto& kicks = theSkillKickParameters->kicks;
+    const auto kick = std::ranges::find(kicks, action.reach, &Kick::distance);
+    option.action = kick != kicks.end() && !kick->motion.empty() ? kick->motion : Skill::kick;
+  }
+  option.end = action.end;
+  option.value = action.value;
+  option.goal = action.goal;
+  return option;
+}
+
+void Striker2::update(StrikerDecision* theStrikerDecision) {
+  StrikerDecision& decision = *theStrikerDecision;
+  decision.valid = plays_;
+  decision.ball = playedBall_;
+  decision.options.clear();
+  if (!plays_) return;
+  decision.options.push_back(optionOf(action_));
+  std::ranges::stable_sort(compared_, std::greater<>(), &StrikerAction::value);
+  for (const StrikerAction& other : compared_) {
+    if (decision.options.size() >= StrikerDecision::maxOptions) break;
+    const bool chosen =
+        other.kind == action_.kind && other.reach == action_.reach && other.direction == action_.direction;
+    if (!chosen) decision.options.push_back(optionOf(other));
+  }
 }
 
 }  // namespace plumbline

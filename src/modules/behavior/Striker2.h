@@ -4,6 +4,7 @@
 #include "framework/Module.h"
 #include "modules/behavior/striker/ActionChoice.h"
 #include "representations/behavior/PlayerRole.h"
+#include "representations/behavior/StrikerDecision.h"
 #include "representations/behavior/StrikerOutput.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -28,6 +29,7 @@ MODULE(Striker2)
   REQUIRES_IF_PROVIDED(OppInfo)
   REQUIRES_IF_PROVIDED(PlayerRole)
   PROVIDES(StrikerOutput)
+  PROVIDES(StrikerDecision)
   PARAMETER(bool, kickAllowed, true, "", Range(), "false: the robot only dribbles")
   PARAMETER(double, ballMaxAge, 3, "s", Range(0.1, 60), "a ball that was not seen for longer is searched")
   PARAMETER(double, restartDistance, 2.2, "m", Range(0.5, 10),
@@ -48,16 +50,21 @@ class Striker2 : public Striker2Base {
 public:
   void init() override;
   void update(StrikerOutput* theStrikerOutput) override;
+  void update(StrikerDecision* theStrikerDecision) override;
 
 private:
   StrikerSituation situation() const;
   void play(BehaviorOutput& output);
   void draw(const StrikerSituation& situation) const;
+  StrikerOption optionOf(const StrikerAction& action) const;
 
   std::optional<FieldValue> value_;
   BallSearch search_;
   double passSince_ = 0;  ///< begin of own pass mode, game clock [s]
   StrikerAction action_;  ///< the one chosen last
+  bool plays_ = false;    ///< it chose in this cycle
+  Vec2 playedBall_ = Vec2::Zero();
+  std::vector<StrikerAction> compared_;  ///< the best of each way to play
 };
 
 }  // namespace plumbline

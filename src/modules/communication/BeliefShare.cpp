@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/DrawingSite.h"
 #include "modules/modeling/ball/TeamBall.h"
+#include "modules/modeling/others/RobotDrawing.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {
@@ -103,6 +105,7 @@ void BeliefShare::update(TeamOtherRobots* theTeamOtherRobots) {
   for (const OtherRobot& opponent : opponents_)
     if (opponent.lastSeen >= 0 && theFrameInfo->time - opponent.lastSeen <= opponentSeconds)
       add(opponent, opponent.lastSeen);
+  DEBUG_DRAWING("draw:belief:heard", drawRobots(drawing, theTeamOtherRobots->robots, beliefColours::heard));
 }
 
 void BeliefShare::addOpponents(TeamBelief& belief) const {

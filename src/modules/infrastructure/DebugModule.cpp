@@ -31,6 +31,7 @@ void DebugModule::init() {
   }
   inspector_->showDrawings(
       [this](const std::string& id, const Drawing& drawing) { viewer_->show(id, drawing); });
+  switchOn(options->drawings);
   endDescriptor_ = eventfd(0, EFD_CLOEXEC);
   if (endDescriptor_ < 0) throw std::runtime_error("no descriptor is left for the debug port");
   thread_ = std::thread([this] {
@@ -45,6 +46,21 @@ void DebugModule::init() {
     options->tell(line + (server_->port() == inspect::DebugServerOptions::standardPort
                               ? ""
                               : " " + options->server.address + ':' + std::to_string(server_->port())));
+}
+
+/// As a client that asks for them and goes: what it switched on stays.
+void DebugModule::switchOn(const std::vector<std::string>& drawings) {
+  if (drawings.empty()) return;
+  const int client = inspector_->open([this](std::string_view answer, bool) {
+    if (answer != "ok") log.error() << answer;
+    return true;
+  });
+  for (const std::string& drawing : drawings) {
+    // No cycle has got there yet.
+    DebugPoints::sites().expect(drawing, DebugKind::drawing);
+    inspector_->command(client, "dr " + drawing);
+  }
+  inspector_->close(client);
 }
 
 DebugModule::~DebugModule() {

@@ -69,7 +69,8 @@ void BallLocator::update(LocalBallPos* theLocalBallPos) {
     const shapes::Colour colour = ball.valid ? colours::orange : colours::faint(colours::orange, 0.4);
     drawing.in(DrawingFrame::robot);
     drawing.sphere(Vec3(ball.position.x(), ball.position.y(), 0.042), 0.05, colour);
-    drawing.circle(ball.position, ball.deviation, colour, 1);
+    const Mat2 turn = theOdometry->total.rotation();
+    drawing.ellipse(ball.position, turn.transpose() * filter_.covariance() * turn, colour, 2, 1);
     drawing.arrow(ball.position, Vec2(ball.position + ball.velocity), colour);
     if (theBallPercept->seen) drawing.point(theBallPercept->position, colours::red, 6);
   });

@@ -1,8 +1,12 @@
 #include "modules/modeling/BeliefCombinator.h"
 
+#include <fmt/format.h>
+
 #include <cmath>
 
+#include "framework/DrawingSite.h"
 #include "modules/modeling/others/CombineRobots.h"
+#include "modules/modeling/others/RobotDrawing.h"
 
 namespace plumbline {
 
@@ -30,6 +34,19 @@ void BeliefCombinator::update(OtherRobots* theOtherRobots) {
   theOtherRobots->robots = combineRobots(theLocalOtherRobots ? theLocalOtherRobots->robots : nobody,
                                          theTeamOtherRobots ? theTeamOtherRobots->robots : nobody,
                                          theFrameInfo->time, ownRobotSeconds);
+  DEBUG_DRAWING("draw:belief:robots", drawRobots(drawing, theOtherRobots->robots, beliefColours::combined));
+}
+
+/// The ball by own sight, by messages and by both; how uncertain it is, as two standard deviations.
+void BeliefCombinator::drawBall(Drawing& drawing, const BallPos& ball) const {
+  const LocalBallPos& own = *theLocalBallPos;
+  if (own.valid && theRobotPose->valid)
+    drawing.circle(Vec2(theRobotPose->pose * own.position), 2 * own.deviation, beliefColours::sight);
+  if (theTeamBallPos && theTeamBallPos->valid)
+    drawing.circle(theTeamBallPos->field, 2 * theTeamBallPos->deviation, beliefColours::heard);
+  if (!ball.valid) return;
+  drawing.sphere(Vec3(ball.field.x(), ball.field.y(), 0.042), 0.06, beliefColours::combined);
+  drawing.text(ball.field, fmt::format("ball {:.1f} s", ball.age), beliefColours::combined);
 }
 
 void BeliefCombinator::update(BallPos* theBallPos) {
@@ -50,6 +67,7 @@ void BeliefCombinator::update(BallPos* theBallPos) {
   theBallPos->field = position_;
   theBallPos->relative = robot.inverse() * position_;
   theBallPos->relativeVelocity = robot.rotation().transpose() * velocity_;
+  DEBUG_DRAWING("draw:belief:ball", drawBall(drawing, *theBallPos));
 }
 
 }  // namespace plumbline

@@ -1,4 +1,5 @@
 #pragma once
+#include "framework/Drawing.h"
 #include "framework/Module.h"
 #include "representations/communication/TeamReports.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -38,6 +39,7 @@ public:
 private:
   void roll(double dt);
   void hear(BallPos& ball);
+  void drawBall(Drawing& drawing, const BallPos& ball) const;
 
   bool onField_ = false;                                    ///< position_ and velocity_ are known
   Vec2 position_ = Vec2::Zero(), velocity_ = Vec2::Zero();  ///< on the field [m, m/s]

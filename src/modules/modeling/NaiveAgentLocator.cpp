@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/DrawingSite.h"
+#include "modules/modeling/others/RobotDrawing.h"
+
 namespace plumbline {
 
 MAKE_MODULE(NaiveAgentLocator)
@@ -87,6 +90,7 @@ void NaiveAgentLocator::update(LocalOtherRobots* theLocalOtherRobots) {
   });
   theLocalOtherRobots->robots.clear();
   for (const RobotTrack& one : tracks_) theLocalOtherRobots->robots.push_back(one.robot());
+  DEBUG_DRAWING("draw:belief:sight", drawRobots(drawing, theLocalOtherRobots->robots, beliefColours::sight));
 }
 
 }  // namespace plumbline

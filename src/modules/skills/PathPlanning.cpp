@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "framework/DrawingSite.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {
@@ -46,6 +47,23 @@ bool PathPlanning::mateGoesBefore(const Vec2& direction) const {
   });
 }
 
+/// What must not be walked into, and the way round it.
+void PathPlanning::drawWay(Drawing& drawing, const Vec2& goal, const std::vector<Obstacle>& circles) const {
+  constexpr double corridor = 3;  // obstacles farther from the way are left out [m]
+  constexpr int most = 30;        // more than there are in a game
+  const Vec2& own = theRobotPose->pose.position;
+  int drawn = 0;
+  for (const Obstacle& obstacle : circles)
+    if (distanceToSegment(obstacle.centre, own, goal) < corridor && drawn++ < most)
+      drawing.circle(obstacle.centre, obstacle.radius, colours::faint(colours::red, 0.6), 1);
+  Vec2 from = own;
+  for (const Vec2& corner : shortestWay(own, goal, circles, last_, planner)) {
+    drawing.line(from, corner, colours::green, 2);
+    from = corner;
+  }
+  drawing.point(goal, colours::green, 8);
+}
+
 void PathPlanning::update(SafeWalkDirection* theSafeWalkDirection) {
   SafeWalkDirection& safe = *theSafeWalkDirection;
   safe = SafeWalkDirection();
@@ -58,7 +76,10 @@ void PathPlanning::update(SafeWalkDirection* theSafeWalkDirection) {
   const Vec2 goal = to == Destination::ball ? meetingPlace(robot.position, ownSpeed, theBallPos->field,
                                                            robot.rotation() * theBallPos->relativeVelocity)
                                             : theSkillRequest->target.position;
-  const Vec2 wayPoint = nextWayPoint(robot.position, goal, obstacles(to), last_, planner);
+  const std::vector<Obstacle> circles = obstacles(to);
+  const Vec2 wayPoint = nextWayPoint(robot.position, goal, circles, last_, planner);
+  DEBUG_DRAWING("draw:team:way", drawWay(drawing, goal, circles);
+                drawing.arrow(robot.position, wayPoint, colours::green, 3));
   const Vec2 way = wayPoint - robot.position;
   safe.wayPointField = wayPoint;
   safe.detour = wayPoint != goal;

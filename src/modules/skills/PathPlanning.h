@@ -2,6 +2,7 @@
 #include <optional>
 #include <vector>
 
+#include "framework/Drawing.h"
 #include "framework/Module.h"
 #include "modules/skills/path/PathPlanner.h"
 #include "representations/behavior/PlayerRole.h"
@@ -57,6 +58,7 @@ private:
   Destination destination() const;
   std::vector<Obstacle> obstacles(Destination to) const;
   bool mateGoesBefore(const Vec2& direction) const;
+  void drawWay(Drawing& drawing, const Vec2& goal, const std::vector<Obstacle>& circles) const;
 
   Vec2 last_ = Vec2::Zero();  ///< direction of the last way, field
 };

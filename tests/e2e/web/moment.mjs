@@ -1,9 +1,9 @@
 // Not a test: a picture of a recorded match at a time of the game.
-//   node tests/e2e/web/moment.mjs URL FILE GAME_SECONDS
+//   node tests/e2e/web/moment.mjs URL FILE GAME_SECONDS [X,Y,Z]     from where it looks at the ball, relative to the ball [m]
 import { Browser } from './browser.mjs';
 import { giveUp, until } from './check.mjs';
 
-const [url, file, wanted] = process.argv.slice(2);
+const [url, file, wanted, eye = '-2.5,-8.5,4'] = process.argv.slice(2);
 const browser = await Browser.open(`${url}?quality=high&fps=2`, { width: 1280, height: 720 });
 const state = () => browser.run('window.plumbline?.state()');
 const wait = (ms) => new Promise((r) => setTimeout(r, ms));
@@ -23,7 +23,8 @@ try {
   }
   await wait(2500);
   const { ball: [x, y] } = await state();
-  await browser.run(`window.plumbline.look([${x - 2.5}, ${y - 8.5}, 4], [${x}, ${y}, 0.2])`);
+  const [dx, dy, z] = eye.split(',').map(Number);
+  await browser.run(`window.plumbline.look([${x + dx}, ${y + dy}, ${z}], [${x}, ${y}, 0.2])`);
   await wait(3000);
   await browser.screenshot(file, file.endsWith('.jpg') ? 'jpeg' : 'png');
   await browser.close();

@@ -23,6 +23,21 @@ try {
   const middle = await run('(plumbline.game.times[0] + plumbline.game.times.at(-1)) / 2');
   await until('the time line goes to a time', async () => Math.abs((await run('plumbline.time()')) - middle) < 0.5);
   check((await run('document.getElementById("in3d").href')).endsWith(`#t=${(await run('plumbline.time()')).toFixed(1)}`), 'the link in 3D leads there');
+
+  // A decision in the middle of them all, and the moment of it on the time line.
+  const decision = await run(`(() => {
+    const { side, unum, lines } = plumbline.decisions[0], line = lines[Math.floor(lines.length / 2)];
+    const i = plumbline.game.clock.findIndex((clock) => clock >= line[0] + 0.05);
+    return { side, unum, line, share: (plumbline.game.times[i] - plumbline.game.times[0]) / (plumbline.game.times.at(-1) - plumbline.game.times[0]) };
+  })()`);
+  await browser.mouse('mousePressed', x + decision.share * width, y);
+  await browser.mouse('mouseReleased', x + decision.share * width, y);
+  const rows = (kind) => run(`[...document.querySelectorAll('#decisions .${kind}')].map((row) => [...row.cells].map((cell) => cell.textContent))`);
+  await until('a click shows a decision', async () => (await rows('chosen')).length > 0);
+  check((await run('document.querySelector("#decisions caption").textContent')).startsWith(`Number ${decision.unum} of `), 'of this player');
+  const [chosen] = await rows('chosen');
+  check(decision.line[3].some(([action]) => action === chosen[0]) && /^-?\d\.\d{3}$/.test(chosen[2]) && /^\d+ %$/.test(chosen[3]), `with its action, value and goal: ${chosen}`);
+  check((await rows('rejected')).length >= 1, 'and what it decided against');
   await browser.screenshot(picture);
   check(browser.problems.length === 0, `no errors on the page ${browser.problems.join('; ')}`);
 

@@ -194,6 +194,20 @@ TEST_F(ActionChoiceTest, takesTheKickThatGoesAsFarAsItShall) {
   EXPECT_EQ(choose().reach, 9);
 }
 
+TEST_F(ActionChoiceTest, tellsTheBestOfEachWayToPlayTheBall) {
+  situation.kicks.push_back({.distance = 7, .scatter = 0.12, .spread = 0.01});
+  std::vector<StrikerAction> compared(9);
+  const StrikerAction chosen = chooseAction(situation, {}, value, time, parameters, &compared);
+  ASSERT_EQ(compared.size(), 3u) << "two kicks and dribbling";
+  EXPECT_EQ(compared[0].reach, 4);
+  EXPECT_EQ(compared[1].reach, 7);
+  EXPECT_EQ(compared[2].kind, Kind::dribble);
+  double best = -1;
+  for (const StrikerAction& one : compared) best = std::max(best, one.value);
+  EXPECT_EQ(chosen.value, best);
+  EXPECT_EQ(chosen.direction, choose().direction) << "the same as without";
+}
+
 TEST_F(ActionChoiceTest, staysWithItsChoiceWhileNoOtherIsClearlyBetter) {
   const StrikerAction best = choose();
   EXPECT_NEAR(best.direction, 0, 0.06);

@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 
 using namespace plumbline;
@@ -201,6 +202,23 @@ TEST_F(FormationTest, waitsForNoTouchLongerThanItMust) {
   EXPECT_FALSE(role().mayTouchBall);
   harness.input<FrameInfo>().time += 4.1;
   EXPECT_TRUE(role().mayTouchBall);
+}
+
+TEST_F(FormationTest, theRoleIsDrawnAtItsPlaceAndThePlanForAll) {
+  ballAt({0, 0});
+  harness.input<RobotPose>().pose = Pose2(-6, 0, 0);
+  harness.input<TeamRobotPose>().reports = {reportOf(3, Pose2(-6, 0, 0), 9), reportOf(8, Pose2(-1, 0, 0), 1)};
+  const Drawing own = test::drawnBy("draw:team:role", [&] { role(); });
+  const PlayerRole& is = harness.output<PlayerRole>();
+  ASSERT_EQ(is.role, PlayerRole::supporter);
+  const Vec3 place = test::placeOf(own, "3 supporter 1");
+  EXPECT_TRUE(place.head<2>().isApprox(is.place.position));
+  const auto& line = std::get<shapes::Line>(own.shapes().front().form);
+  EXPECT_EQ(line.begin, Vec3(-6, 0, 0)) << "from the player";
+  EXPECT_EQ(line.end, place);
+  const Drawing plan = test::drawnBy("draw:Formation:plan", [&] { role(); });
+  EXPECT_EQ(test::placeOf(plan, "8 striker"), Vec3(0, 0, 0));
+  EXPECT_EQ(test::placeOf(plan, "3 supporter 1"), place);
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 
 using namespace plumbline;
@@ -65,6 +66,13 @@ TEST_F(PassCallTest, notWhereItShootsItself) {
   harness.input<BallPos>().field = {8, 0};
   harness.input<OtherRobots>().robots[0].position = {9.5, 0};
   EXPECT_FALSE(asks());
+}
+
+TEST_F(PassCallTest, theRequestIsDrawnAtTheBall) {
+  const Drawing asked = test::drawnBy("draw:team:pass", [&] { asks(); });
+  EXPECT_EQ(test::placeOf(asked, "pass mode?"), Vec3(0, 0, 0));
+  harness.input<OtherRobots>().robots.clear();
+  EXPECT_TRUE(test::drawnBy("draw:team:pass", [&] { asks(); }).shapes().empty());
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 #include "support/Robots.h"
 
@@ -80,6 +81,29 @@ TEST_F(SetPieceTakerTest, isNothingForOthersInPlayOrAlone) {
   harness.input<GameState>().playMode = PlayMode::kickInOwn;
   harness.input<BallPos>().age = 10;
   EXPECT_FALSE(output().active) << "a lost ball is searched by the striker";
+}
+
+TEST_F(SetPieceTakerTest, theTakerItsPieceAndTheChoiceAreDrawn) {
+  add(true, {1.5, 5.5});
+  harness.input<RobotPose>().pose = Pose2(-1, 9, 0);
+  const Drawing drawing = test::drawnBy("draw:team:setPiece", [&] { output(); });
+  EXPECT_EQ(test::placeOf(drawing, "kickInOwn"), Vec3(-1, 9, 0)) << "the taker's place";
+  EXPECT_GT(test::countOf<shapes::Point>(drawing), 1u) << "what may be chosen";
+  bool kick = false;
+  for (const shapes::Shape& shape : drawing.shapes())
+    if (const auto* line = std::get_if<shapes::Line>(&shape.form))
+      kick = kick || (line->begin == Vec3(0, 10, 0) && line->end == Vec3(1.5, 5.5, 0));
+  EXPECT_TRUE(kick);
+}
+
+TEST_F(SetPieceTakerTest, wherePlayersWaitIsDrawnAndNothingInPlay) {
+  harness.input<GameState>().playMode = PlayMode::kickInOpponent;
+  const Vec2 place = output().target.position;
+  const Drawing waits = test::drawnBy("draw:team:setPiece", [&] { output(); });
+  ASSERT_EQ(test::countOf<shapes::Circle>(waits), 2u) << "the player and its place";
+  EXPECT_EQ(std::get<shapes::Circle>(waits.shapes().back().form).centre, place);
+  harness.input<GameState>().playMode = PlayMode::playOn;
+  EXPECT_TRUE(test::drawnBy("draw:team:setPiece", [&] { output(); }).shapes().empty());
 }
 
 }  // namespace

@@ -86,4 +86,31 @@ TEST_F(Striker2Test, standsWhenTheGameIsOver) {
   EXPECT_EQ(decide().skill, Skill::stand);
 }
 
+TEST_F(Striker2Test, saysWhatItDecidedAndWhatAgainst) {
+  auto& kicks = harness.input<SkillKickParameters>().kicks;
+  kicks[0].motion = "kickShort";
+  for (int i = 1; i <= 5; ++i) {
+    kicks.push_back(kicks[0]);
+    kicks.back().motion = "kick" + std::to_string(i);
+    kicks.back().distance = 3 + i;
+  }
+  const BehaviorOutput& output = decide();
+  const StrikerDecision& decision = harness.output<StrikerDecision>();
+  EXPECT_TRUE(decision.valid);
+  EXPECT_EQ(decision.ball, Vec2(0, 0));
+  ASSERT_EQ(decision.options.size(), StrikerDecision::maxOptions) << "of seven that were compared";
+  const Vec2 way = decision.options[0].end.normalized();
+  EXPECT_NEAR(way.dot(output.target.position.normalized()), 1, 1e-9) << "what it does stands first";
+  for (std::size_t i = 1; i < decision.options.size(); ++i) {
+    EXPECT_LE(decision.options[i].value, decision.options[i - 1].value);
+    EXPECT_NE(decision.options[i].action, decision.options[0].action);
+    EXPECT_GE(decision.options[i].goal, 0);
+    EXPECT_LE(decision.options[i].goal, 1);
+  }
+  harness.input<GameState>().playMode = PlayMode::kickInOpponent;
+  decide();
+  EXPECT_FALSE(decision.valid);
+  EXPECT_TRUE(decision.options.empty());
+}
+
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 
 using namespace plumbline;
@@ -125,6 +126,12 @@ TEST_F(BeliefShareTest, ownWordsCountAsMatesHeardThem) {
   ASSERT_TRUE(harness.output<TeamRobotPose>().of(3));
   EXPECT_EQ(harness.output<TeamRobotPose>().of(3)->belief.timeToBall, 4);
   EXPECT_FALSE(harness.output<TeamBallPos>().valid);  // the own ball is no news
+}
+
+TEST_F(BeliefShareTest, whatMatesToldIsDrawn) {
+  const Drawing drawing = test::drawnBy("draw:belief:heard", [&] { hear({beliefOf(5, {1, 1})}); });
+  EXPECT_EQ(test::placeOf(drawing, "mate 5"), Vec3(0, 0, 0)) << "where it says that it is";
+  EXPECT_EQ(test::countOf<shapes::Circle>(drawing), 1u);
 }
 
 }  // namespace

@@ -7,8 +7,10 @@
 #include <algorithm>
 #include <memory>
 
+#include "framework/DrawingSite.h"
 #include "support/ModuleHarness.h"
 #include "support/Thrown.h"
+#include "support/ViewerPort.h"
 
 namespace plumbline {
 namespace {
@@ -76,6 +78,22 @@ TEST_F(DebugModuleTest, withoutOptionsOrAnAgentThereIsNoPort) {
   alone.objects().set(options);
   alone.cycle();
   EXPECT_TRUE(told.empty());
+}
+
+TEST_F(DebugModuleTest, drawingsThatTheCommandLineNamesAreOnFromTheirFirstCycle) {
+  test::ViewerPort viewer;
+  options->server.listens = false;
+  options->viewer.port = viewer.port;
+  options->drawings = {"draw:DebugModuleTest:early"};
+  test::ModuleHarness<DebugModule> harness;
+  harness.objects().set(options);
+  harness.objects().set(agent);
+  harness.cycle();
+  EXPECT_TRUE(agent->watched()) << "the threads serve what is asked of them";
+  int drawn = 0;
+  DEBUG_DRAWING("draw:DebugModuleTest:early", ++drawn; drawing.point(Vec2(1, 2), {10, 20, 30}, 5));
+  EXPECT_EQ(drawn, 1) << "the point's first passage";
+  EXPECT_NE(viewer.received().find("left.00.DebugModuleTest:early."), std::string::npos);
 }
 
 TEST_F(DebugModuleTest, whatItServesEndsBeforeTheServer) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 
 namespace plumbline {
@@ -59,6 +60,23 @@ TEST(BallLocator, aSinglePerceptFarOffDoesNotMoveABallThatIsKnown) {
   Watcher robot;
   for (int i = 0; i < 5; ++i) robot.see(Vec2(3, 0));
   EXPECT_NEAR(robot.see(Vec2(-1, 2)).position.x(), 3, 0.05);
+}
+
+TEST(BallLocator, theBallIsDrawnWithAnEllipseAlongTheLineOfSight) {
+  Watcher robot;
+  robot.see(Vec2(5, 0));
+  const Drawing drawing = test::drawnBy("draw:BallLocator:ball", [&] { robot.see(Vec2(5, 0)); });
+  double along = 0, across = 0;
+  for (const shapes::Shape& shape : drawing.shapes())
+    if (const auto* line = std::get_if<shapes::Line>(&shape.form); line && line->thickness == 1) {
+      along = std::max(along, std::abs(line->begin.x() - 5));
+      across = std::max(across, std::abs(line->begin.y()));
+    }
+  EXPECT_GT(along, 0);
+  EXPECT_NE(along, across);
+  EXPECT_NEAR(std::sqrt(along * along + across * across),
+              2 * std::sqrt(2.0) * robot.harness.output<LocalBallPos>().deviation, 1e-6)
+      << "two standard deviations";
 }
 
 }  // namespace

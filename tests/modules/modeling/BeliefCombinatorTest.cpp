@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "math/Angle.h"
+#include "modules/modeling/others/RobotDrawing.h"
+#include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 #include "support/Robots.h"
 
@@ -116,6 +118,35 @@ TEST_F(BeliefCombinatorTest, robotsAreThoseSeenAndThoseHeardOf) {
   seen.lastSeen = 9.6;
   harness.cycle();
   EXPECT_NEAR(robots[0].position.x(), 1.1, 1e-9) << "both are as sure";
+}
+
+/// The radius of the circle in that colour; -1: there is none.
+double radiusIn(const Drawing& drawing, const shapes::Colour& colour) {
+  for (const shapes::Shape& shape : drawing.shapes())
+    if (const auto* circle = std::get_if<shapes::Circle>(&shape.form); circle && shape.colour == colour)
+      return circle->radius;
+  return -1;
+}
+
+TEST_F(BeliefCombinatorTest, theBallIsDrawnByOwnSightAndByWordsInTheirColours) {
+  local.deviation = 0.1;
+  const auto drawn = [&] { return test::drawnBy("draw:belief:ball", [&] { ballAfter(0); }); };
+  EXPECT_EQ(radiusIn(drawn(), beliefColours::sight), 0.2);
+  EXPECT_EQ(radiusIn(drawn(), beliefColours::heard), -1);
+  team.valid = true;
+  team.deviation = 0.5;
+  const Drawing both = drawn();
+  EXPECT_EQ(radiusIn(both, beliefColours::sight), 0.2);
+  EXPECT_EQ(radiusIn(both, beliefColours::heard), 1);
+  EXPECT_TRUE(test::placeOf(both, "ball 0.0 s").isApprox(Vec3(2, 4, 0)));
+  local.valid = team.valid = false;
+  EXPECT_TRUE(drawn().shapes().empty());
+}
+
+TEST_F(BeliefCombinatorTest, theRobotsAreDrawn) {
+  test::addRobot(harness.input<LocalOtherRobots>().robots, true, {1, 1}, 5);
+  const Drawing drawing = test::drawnBy("draw:belief:robots", [&] { ballAfter(0); });
+  EXPECT_EQ(test::placeOf(drawing, "mate 5"), Vec3(1, 1, 0));
 }
 
 }  // namespace

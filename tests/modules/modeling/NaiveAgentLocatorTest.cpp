@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "math/Random.h"
+#include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 
 using namespace plumbline;
@@ -176,6 +177,15 @@ TEST_F(NaiveAgentLocatorTest, withoutAPlaceOfItsOwnItAddsNobody) {
   harness.input<RobotPose>().valid = false;
   see({theirs(4, {2, 3})});
   EXPECT_TRUE(robots().empty());
+}
+
+TEST_F(NaiveAgentLocatorTest, whatIsSeenIsDrawn) {
+  const Drawing drawing = test::drawnBy("draw:belief:sight", [&] {
+    see({playerAt("Theirs", 4, {1, 2}, own, 0)});
+  });
+  EXPECT_LT((test::placeOf(drawing, "opp 4") - Vec3(1, 2, 0)).norm(), 0.2);
+  EXPECT_EQ(test::countOf<shapes::Circle>(drawing) + test::countOf<shapes::Line>(drawing) / 16, 1u)
+      << "how sure that is";
 }
 
 }  // namespace

@@ -100,4 +100,18 @@ TEST(DistanceToSegmentTest, isMeasuredToItsEndsToo) {
   EXPECT_DOUBLE_EQ(distanceToSegment({3, 4}, {0, 0}, {0, 0}), 5);
 }
 
+TEST(PathPlannerTest, theWholeWayEndsAtTheGoalAndKeepsClearOfTheObstacles) {
+  const std::vector<Obstacle> wall{{{2.5, 0}, 0.5}, {{2.5, 0.8}, 0.5}};
+  EXPECT_EQ(shortestWay({0, 0}, {5, 0}, {}, Vec2::Zero(), {}), std::vector<Vec2>{Vec2(5, 0)});
+  const std::vector<Vec2> way = shortestWay({0, 0}, {5, 0}, wall, Vec2::Zero(), {});
+  ASSERT_GT(way.size(), 1u);
+  EXPECT_EQ(way.back(), Vec2(5, 0));
+  Vec2 from(0, 0);
+  for (const Vec2& corner : way) {
+    for (const Obstacle& obstacle : wall)
+      EXPECT_GE(distanceToSegment(obstacle.centre, from, corner), obstacle.radius - 1e-9);
+    from = corner;
+  }
+}
+
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "modules/skills/SkillWish.h"
 #include "representations/skills/SkillKickOutput.h"
+#include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 #include "support/Robots.h"
 
@@ -114,6 +115,22 @@ TEST_F(PathPlanningTest, withoutAPlaceABallOrAWishThereIsNoWay) {
   test::wish(harness, Skill::stand, Pose2(10, 0, 0));
   ballAt({4, 0});
   EXPECT_EQ(way().wayPointField, Vec2(0, 0));
+}
+
+TEST_F(PathPlanningTest, theWayAndWhatStandsNearItAreDrawn) {
+  standsAt({2, 0});
+  standsAt({2, 9}, true, 5);
+  const Drawing drawing = test::drawnBy("draw:team:way", [&] { way(); });
+  EXPECT_EQ(test::countOf<shapes::Circle>(drawing), 1u) << "who is far from the way is left out";
+  const auto& first = std::get<shapes::Line>(drawing.shapes()[1].form);
+  EXPECT_EQ(first.begin, Vec3(0, 0, 0));
+  EXPECT_NE(first.end.y(), 0) << "round the robot";
+  const auto& goal = std::get<shapes::Point>(drawing.shapes()[drawing.shapes().size() - 4].form);
+  EXPECT_EQ(goal.position, Vec3(4, 0, 0));
+  for (int i = 0; i < 500; ++i) standsAt({2, 0.01 * i}, false, i);
+  EXPECT_LT(test::drawnBy("draw:team:way", [&] { way(); }).shapes().size(), 100u) << "bounded";
+  test::wish(harness, Skill::stand, Pose2());
+  EXPECT_TRUE(test::drawnBy("draw:team:way", [&] { way(); }).shapes().empty());
 }
 
 }  // namespace

@@ -37,7 +37,7 @@ function dot(c, x, y, radius, colour) {
   c.fill();
 }
 
-function drawMoment(canvas, game, i) {
+function drawMoment(canvas, game, i, decided = []) {
   const { c, pixel } = makeCanvas(canvas, game.field);
   drawField(c, game.field, pixel);
   c.strokeStyle = 'rgba(255,255,255,0.75)';
@@ -62,6 +62,7 @@ function drawMoment(canvas, game, i) {
     c.fillText(robot.unum, 0, 0.5);
     c.restore();
   }
+  for (const one of decided) drawDecision(c, one, pixel);
   dot(c, game.ball[3 * i] / 100, game.ball[3 * i + 1] / 100, 5 * pixel, '#fff');
   c.strokeStyle = '#10171d';
   c.lineWidth = 1.2 * pixel;

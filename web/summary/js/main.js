@@ -1,6 +1,6 @@
 // Puts the summary together: one moment on the field, a time line with all events, maps.
 (() => {
-  const { game, replay } = JSON.parse(document.getElementById('game').textContent);
+  const { game, replay, decisions } = JSON.parse(document.getElementById('game').textContent);
   const result = analyse(game), names = teamNames(game), $ = (id) => document.getElementById(id);
   const begin = game.times[0], end = game.times.at(-1), share = (t) => `${(100 * (t - begin)) / Math.max(end - begin, 1e-6)}%`;
   const kinds = { goal: 'goals', shot: 'shots', pass: 'passes', fall: 'falls' }, shown = new Set(['goal', 'shot', 'pass']);
@@ -11,10 +11,13 @@
   $('about').textContent = `${game.recording}, ${clockText(end - begin)} recorded, ${game.robots.length} players`;
   showResult(game, result, names);
   showFigures(game, result, names);
+  $('decisions').hidden = $('howDecisions').hidden = !decisions;
 
   function show() {
     const i = indexAt(game, time);
-    drawMoment($('field'), game, i);
+    const decided = decisionsAt(decisions, game.clock[i]);
+    drawMoment($('field'), game, i, decided);
+    showDecisions($('decisions'), decided, names);
     $('clock').textContent = `${clockText(game.clock[i])} of the game; ${clockText(time)} of the recording`;
     $('in3d').href = `${replay}#t=${Math.max(0, time).toFixed(1)}`;
     now.style.left = share(time);
@@ -113,5 +116,5 @@
   fillList();
   draw();
   goTo(result.events.find(({ kind }) => kind === 'goal')?.t - 1 || begin);
-  window.plumbline = { game, result, goTo, time: () => time };
+  window.plumbline = { game, result, decisions, goTo, time: () => time };
 })();

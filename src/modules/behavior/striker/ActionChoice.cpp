@@ -168,21 +168,25 @@ StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double rea
 
 StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
                            const FieldValue& value, const TimeToBallParameters& time,
-                           const ActionChoiceParameters& parameters) {
+                           const ActionChoiceParameters& parameters, std::vector<StrikerAction>* compared) {
   const BallCourses courses(situation, value, time, parameters);
   StrikerAction best, again;
+  if (compared) compared->clear();
   for (const BallPlay& play : playsOf(situation, parameters)) {
     const Judge judge(courses, situation, play, time, parameters);
+    StrikerAction bestOfPlay;
     int chosen = 0;
-    bool found = false;
     for (int i = -judge.fan().widest(); i <= judge.fan().widest(); ++i) {
       const StrikerAction action = judge.action(i);
-      if (best.kind != StrikerAction::Kind::none && action.value <= best.value) continue;
-      best = action;
+      if (bestOfPlay.kind != StrikerAction::Kind::none && action.value <= bestOfPlay.value) continue;
+      bestOfPlay = action;
       chosen = i;
-      found = true;
     }
-    if (found) best.tolerance = judge.tolerance(chosen);
+    if (compared) compared->push_back(bestOfPlay);
+    if (best.kind == StrikerAction::Kind::none || bestOfPlay.value > best.value) {
+      best = bestOfPlay;
+      best.tolerance = judge.tolerance(chosen);
+    }
     if (last.kind == StrikerAction::Kind::none || !isOf(last, play)) continue;
     const int before = judge.fan().cellOf(last.direction);
     again = judge.action(before);

@@ -80,10 +80,12 @@ struct StrikerAction {
 /// integrated over its scatter. The ball goes into the goal (between the posts and under the bar), off the
 /// field, to a robot in its way, or stops and then belongs to the robot that is first there. This holds if
 /// the robot acts before the nearest opponent is at the ball; else the ball is lost here. last: the previous
-/// choice, kept unless another is worth more by `stays`; kind none: there was none.
+/// choice, kept unless another is worth more by `stays`; kind none: there was none. compared: if not null, it
+/// gets the best direction of each kick and of dribbling.
 StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
                            const FieldValue& value, const TimeToBallParameters& time,
-                           const ActionChoiceParameters& parameters);
+                           const ActionChoiceParameters& parameters,
+                           std::vector<StrikerAction>* compared = nullptr);
 
 /// The value of one action in one direction.
 StrikerAction judgeAction(StrikerAction::Kind kind, double direction, double reach,

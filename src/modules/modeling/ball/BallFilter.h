@@ -51,7 +51,8 @@ public:
   Vec2 velocity() const { return atRest() ? Vec2(Vec2::Zero()) : Vec2(state_.tail<2>()); }  ///< [m/s]
   /// Whether, when it was last seen, the ball might as well have lain still.
   bool atRest() const { return atRest_; }
-  double deviation() const;  ///< of the position, per axis [m]
+  double deviation() const;                                              ///< of the position, per axis [m]
+  Mat2 covariance() const { return covariance_.topLeftCorner<2, 2>(); }  ///< of the position [m^2]
 
 private:
   using Vec4 = Eigen::Vector4d;

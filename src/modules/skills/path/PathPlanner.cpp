@@ -127,13 +127,20 @@ double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
   return (a + share * way - point).norm();
 }
 
-Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
-                  const Vec2& last, const PathPlannerParameters& parameters) {
+std::vector<Vec2> shortestWay(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
+                              const Vec2& last, const PathPlannerParameters& parameters) {
   std::vector<Obstacle> relevant = obstacles;
   keepRelevant(relevant, start, goal, parameters);
-  if (isFree(start, goal, relevant)) return goal;
-  const std::vector<Vec2> path = shortestPath(start, goal, relevant, last, parameters);
-  if (path.empty()) return goal;
+  std::vector<Vec2> path;
+  if (!isFree(start, goal, relevant)) path = shortestPath(start, goal, relevant, last, parameters);
+  if (path.empty()) path.push_back(goal);
+  return path;
+}
+
+Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
+                  const Vec2& last, const PathPlannerParameters& parameters) {
+  const std::vector<Vec2> path = shortestWay(start, goal, obstacles, last, parameters);
+  if (path.size() == 1) return goal;
   return farthestInSight(start, path, widened(obstacles, start, goal, parameters.corner),
                          parameters.lookAhead);
 }

@@ -34,6 +34,10 @@ struct PathPlannerParameters {
 Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
                   const Vec2& last, const PathPlannerParameters& parameters);
 
+/// The corners of that whole way, the goal last; only the goal if the straight way is free or there is none.
+std::vector<Vec2> shortestWay(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
+                              const Vec2& last, const PathPlannerParameters& parameters);
+
 /// Distance of a point and the segment from a to b [m].
 double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b);
 
