@@ -18,7 +18,7 @@ fail() { echo "measure_kick.sh: $*; see measure_kick.sh --help" >&2; exit 2; }
 tries=${TRIES:-40} seed=${SEED:-20001} bin=${BIN:-bin} config=${CONFIG:-config}
 (($# == 2 || $# == 3)) || fail "needs a type and a motion"
 type=$1 motion=$2
-[[ $type =~ ^[0-4]$ ]] || fail "no robot type '$type'"
+[[ $type =~ ^[0-9]$ && -f $config/robots/simspark_type$type.json ]] || fail "no robot type '$type'"
 [[ ${3-} == "" || ${3-} == --write ]] || fail "no option '$3'"
 for value in "$tries" "$seed"; do
   [[ $value =~ ^[1-9][0-9]{0,5}$ ]] || fail "'$value' is no whole number from 1 to 999999"

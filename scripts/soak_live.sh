@@ -32,7 +32,7 @@ fail() {
 }
 
 cp -r config "$scratch/config"
-sed -i "s/^domain: 0/domain: $((100 + $$ % 100))/" "$scratch/config/NetworkModule.yaml"
+echo "domain: $((100 + $$ % 100))" >> "$scratch/config/NetworkModule.yaml"
 printf 'fileMegabytes: 64\nfiles: 4\n' > "$scratch/config/log.yaml" # or five hours fill a disk
 { echo "include $scratch/config/platforms/simspark/modules.cfg"; echo network; } > "$scratch/shows.cfg"
 "$bin/agent" --config "$scratch/config" --modules "$scratch/shows.cfg" --start-simulator --simulator-option=--sync --simulator-option=--seed --simulator-option=1 \

@@ -264,7 +264,7 @@ aboutRegistered() { # file
       ;;
     rule)
       options "$file" "$main"
-      data config/rules.yaml
+      data doc/reference/rules.yaml
       text="($name|$stem)"
       ;;
     task)

@@ -85,7 +85,7 @@ overAll() { # kind, name, file
     optimiser) naming '\boptimizerNames\(\)' tests ;;
     engine*) naming '\bRobotSimulations::names\(\)' tests ;;
     platform) naming '\bPlatforms::names\(\)' tests ;;
-    rule) naming 'contentOf\("config/rules.yaml"|readRules\("config' tests ;;
+    rule) naming 'contentOf\("doc/reference/rules.yaml"|readRules\("doc' tests ;;
     robot)
       naming 'directory_iterator\("config/robots"' tests
       [[ $type == "$2" ]] ||

@@ -67,7 +67,7 @@ void NetworkHub::open(ConfigStore& config) {
   if (participant_) return;
   options_ = readNetworkOptions(config);
   try {
-    participant_ = std::make_unique<DdsParticipant>(options_.participant);
+    participant_ = std::make_unique<DdsParticipant>(options_.participant());
   } catch (const std::runtime_error& error) {
     throw ConfigurationError("NetworkModule: " + std::string(error.what()));
   }

@@ -2,8 +2,11 @@
 
 #include "framework/ConfigFile.h"
 #include "framework/ModuleParameters.h"
+#include "framework/ParameterFiles.h"
 
 namespace plumbline {
+
+MAKE_PARAMETER_FILE("field", FieldSize, "The sizes of the field, also of a file of `--field`.")
 
 namespace {
 

@@ -64,9 +64,16 @@ private:
   std::set<ParameterList::Pointer> described_;
 };
 
+std::string table(const ParameterList& parameters, void* owner) {
+  Rows rows;
+  rows.add(parameters, owner, "");
+  return "| parameter | type | default | unit | range | what it does |\n|---|---|---|---|---|---|\n" +
+         rows.text;
+}
+
 }  // namespace
 
-std::string parameterPage(const Registry& registry) {
+std::string parameterPage(const Registry& registry, const std::map<std::string, ParameterFile>& files) {
   std::string page =
       "# Parameters of the modules\n\n"
       "`bin/agent --parameters` made this page. `config/<Module>.yaml` holds the values that differ from "
@@ -79,14 +86,15 @@ std::string parameterPage(const Registry& registry) {
   for (const auto& [name, loader] : registry.modules()) {
     const ParameterList& parameters = loader->description().parameters;
     if (parameters.empty()) continue;
-    page += "\n## " + name +
-            "\n\n| parameter | type | default | unit | range | what it does |\n|---|---|---|---|---|---|\n";
     // The types are those of the members: a module made only to look at them.
-    const std::unique_ptr<Module> module = loader->create();
-    Rows rows;
-    rows.add(parameters, module.get(), "");
-    page += rows.text;
+    page += "\n## " + name + "\n\n" + table(parameters, loader->create().get());
   }
+  if (!files.empty())
+    page +=
+        "\n# Parameters of other files\n\n"
+        "These files of `config/` are no module's. They, too, hold only the values that differ.\n";
+  for (const auto& [name, file] : files)
+    page += "\n## " + name + ".yaml\n\n" + file.comment + "\n\n" + table(*file.parameters, file.make().get());
   return page;
 }
 

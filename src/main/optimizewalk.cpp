@@ -19,8 +19,10 @@
 #include "gap/diagnosis/ExplanationFile.h"
 #include "gap/record/WalkRecording.h"
 #include "optimization/Optimizers.h"
+#include "servo/RobotSimulation.h"
 #include "simspark/LeagueRobots.h"
 #include "simulation/effects/EffectTable.h"
+#include "simulation/physics/Physics.h"
 #include "training/ServoWalker.h"
 #include "training/WalkCheckpoint.h"
 #include "training/WalkChoice.h"
@@ -42,6 +44,7 @@ struct Options {
   std::string over;  ///< folder of what is put over what was chosen
   int cornersOf = -1, type = 0;
   std::string robot;    ///< with position servos; empty: the league's type
+  std::string engine;   ///< what simulates the robot; empty: the usual one
   std::string effects;  ///< file of those that the simulated robot has; empty: none
   bool anew = false, tryOnly = false, choose = false;
   ChoiceSetup choice;
@@ -102,6 +105,7 @@ std::string markOf(const Options& options) {
   if (!std::filesystem::equivalent(from, options.output, error))
     mark += "; begins with " + checksum(textOf(from));
   if (!options.over.empty()) mark += "; over " + checksum(textOf(options.over + "/walking.yaml"));
+  if (!options.engine.empty()) mark += "; engine " + options.engine;
   if (!options.effects.empty()) mark += "; effects " + checksum(textOf(options.effects));
   if (!options.robot.empty())
     mark += "; robot " + checksum(textOf(configPath("robots/" + options.robot + ".json")));
@@ -169,8 +173,21 @@ WalkGaits firstWalk(const Options& options) {
   return gaits;
 }
 
+/// A robot with position servos and the league's types have engines of their own.
+void checkEngine(const Options& options) {
+  if (options.engine.empty()) return;
+  if (!options.robot.empty()) return simulation::RobotSimulations::require(options.engine);
+  const std::vector<std::string>& known = simulation::physicsEngines();
+  if (std::ranges::count(known, options.engine) > 0) return;
+  const std::string nearest = suggestion(options.engine, known);
+  throw std::invalid_argument(
+      fmt::format("there is no engine {} for the league's types{}", options.engine,
+                  nearest.empty() ? fmt::format("; there are: {}", fmt::join(known, ", ")) : nearest));
+}
+
 void makeRobots(Options& options, const StopSignal& stop) {
   TrainingSetup& setup = options.setup;
+  checkEngine(options);
   setup.robot = options.robot.empty() ? "type " + std::to_string(options.type) : options.robot;
   const auto interrupt = [&stop] {
     if (stop.requested()) throw Stopped();
@@ -180,6 +197,7 @@ void makeRobots(Options& options, const StopSignal& stop) {
   if (options.robot.empty()) {
     simulation::WorldConfig world;
     world.effects = effects;
+    if (!options.engine.empty()) world.engine = options.engine;
     simulation::checkEffects(effects);
     setup.walker = [type = options.type, world, interrupt](const WalkGaits& walk) {
       auto robot = std::make_unique<WalkingRobot>(type, walk, world);
@@ -189,9 +207,10 @@ void makeRobots(Options& options, const StopSignal& stop) {
   } else {
     const Mechanism mechanism = findMechanism(options.robot);
     const gap::Explanation causes = gap::causesOf(effects, mechanism);
-    setup.walker = [mechanism, causes, interrupt](const WalkGaits& walk) {
+    const std::string engine = options.engine.empty() ? simulation::RobotSimulations::usual : options.engine;
+    setup.walker = [engine, mechanism, causes, interrupt](const WalkGaits& walk) {
       // Without effects, too: ground and drives are those of the diagnosis, so that effects alone differ.
-      std::unique_ptr<ServoWalker> robot = gap::walkerWith("bullet", mechanism, walk, causes);
+      std::unique_ptr<ServoWalker> robot = gap::walkerWith(engine, mechanism, walk, causes);
       robot->interrupt = interrupt;
       return robot;
     };
@@ -305,6 +324,11 @@ int runProgram(int argc, char** argv) {
       .range(1, 256);
   app.action("--config", useConfigFolder,
              "folder of the configuration [config/ here, else the one next to bin/]");
+  app.option("--engine", options.engine,
+             fmt::format("what simulates the robot: {} [{}]; with --robot: {} [{}]",
+                         fmt::join(simulation::physicsEngines(), ", "), simulation::WorldConfig().engine,
+                         fmt::join(simulation::RobotSimulations::names(), ", "),
+                         simulation::RobotSimulations::usual));
   app.option("--effects", options.effects,
              "the simulated robot has these: an answer of bin/gap diagnose --json, or a file of bin/gap "
              "apply")

@@ -88,6 +88,8 @@ class RobotSimulations {
 public:
   using Maker =
       std::function<std::unique_ptr<RobotSimulation>(const Mechanism&, const RobotSimulationOptions&)>;
+  /// What simulates where no engine is chosen.
+  static constexpr const char* usual = "bullet";
   static bool add(const std::string& engine, Maker maker);
   /// Those of this program, sorted.
   static std::vector<std::string> names();

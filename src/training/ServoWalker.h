@@ -33,12 +33,13 @@ inline ServoMeasurement measurementOf(const simulation::RobotSimulation& robot) 
   return measured;
 }
 
-/// A robot with position servos that walks with the engine, by default in Bullet's dynamics.
+/// A robot with position servos that walks with the walk engine, by default in the usual simulation.
 class ServoWalker : public Walker {
 public:
   explicit ServoWalker(const std::string& robot) : ServoWalker(findMechanism(robot), readServoGaits(robot)) {}
   ServoWalker(const Mechanism& robot, const WalkGaits& gaits)
-      : ServoWalker(robot, gaits, simulation::RobotSimulations::make("bullet", robot)) {}
+      : ServoWalker(robot, gaits,
+                    simulation::RobotSimulations::make(simulation::RobotSimulations::usual, robot)) {}
   ServoWalker(const Mechanism& robot, const WalkGaits& gaits,
               std::unique_ptr<simulation::RobotSimulation> plant)
       : Walker(Humanoid(robot).model(), gaits, 1 / robot.controlHz),

@@ -1,7 +1,7 @@
 # One agent plays and shows what it knows; another one without a robot reads it over the network, loses it and finds it again.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 cp -r config "$scratch/config"
-sed -i "s/^domain: 0/domain: $((100 + $$ % 100))/" "$scratch/config/NetworkModule.yaml"
+echo "domain: $((100 + $$ % 100))" >> "$scratch/config/NetworkModule.yaml"
 { echo "include $scratch/config/platforms/simspark/modules.cfg"; echo network; } > "$scratch/shows.cfg"
 player() { # how it plays: alone, with a simulator of its own
   "$bin/agent" --config "$scratch/config" --modules "$scratch/shows.cfg" --start-simulator --simulator-option=--realtime --debug 0 \

@@ -34,7 +34,7 @@ TEST(ParameterPage, hasARowForEachParameterAndOneForAGroupThatWasDescribed) {
   const PagedLoader loader;
   Registry registry;
   registry.add(loader);
-  const std::string page = parameterPage(registry);
+  const std::string page = parameterPage(registry, {});
   EXPECT_EQ(page.substr(page.find("\n## ")),
             "\n## Paged\n\n| parameter | type | default | unit | range | what it does |\n"
             "|---|---|---|---|---|---|\n"
@@ -43,6 +43,19 @@ TEST(ParameterPage, hasARowForEachParameterAndOneForAGroupThatWasDescribed) {
             "| `way` | text | left |  | left, right | where to |\n"
             "| `forward.share` | double | 0.25 |  | 0 … 1 | how much of it |\n"
             "| `backward.` … | | | | | leaning backward: names as above |\n");
+}
+
+TEST(ParameterPage, hasTheFilesThatAreNoModules) {
+  const std::map<std::string, ParameterFile> files = {
+      {"lean", {"How it leans.", &Lean::parameterList(), []() -> std::shared_ptr<void> {
+                  return std::make_shared<Lean>();
+                }}}};
+  const std::string page = parameterPage(Registry(), files);
+  EXPECT_EQ(
+      page.substr(page.find("\n## ")),
+      "\n## lean.yaml\n\nHow it leans.\n\n| parameter | type | default | unit | range | what it does |\n"
+      "|---|---|---|---|---|---|\n"
+      "| `share` | double | 0.25 |  | 0 … 1 | how much of it |\n");
 }
 
 }  // namespace

@@ -37,7 +37,9 @@ void setPieceFile(std::string_view bytes) {
   });
 }
 
-std::vector<std::string> rulesFileSeeds() { return {contentOf("config/rules.yaml"), "halfTime: 300\n"}; }
+std::vector<std::string> rulesFileSeeds() {
+  return {contentOf("doc/reference/rules.yaml"), "halfTime: 300\n"};
+}
 std::vector<std::string> formationFileSeeds() { return {contentOf("config/formation.yaml")}; }
 
 std::vector<std::string> setPieceFileSeeds() {

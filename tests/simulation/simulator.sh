@@ -111,7 +111,7 @@ expect "a field with a wrong key" "$("$simulator" --field "$work/field.yaml" 2>&
   "simulator: $work/field.yaml:2: unknown key \"widht\"; did you mean \"width\"? 2"
 
 # The rules' file is the one that is written, so it names all there is.
-expect "config/rules.yaml is what --print-rules writes" "$("$simulator" --print-rules | cmp - config/rules.yaml 2>&1)" ""
+expect "doc/reference/rules.yaml is what --print-rules writes" "$("$simulator" --print-rules | cmp - doc/reference/rules.yaml 2>&1)" ""
 
 # In step with its agents, in simulated time.
 start --sync --wait-agents 0 --max-seconds 2

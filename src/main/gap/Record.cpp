@@ -76,7 +76,9 @@ Run recordOne(const RecordOptions& options, const Mechanism& robot, const Item& 
               const SimulatedRecordingOptions& recording) {
   const bool own = options.engine == ownEngine;
   // The project's own dynamics have no closed loop.
-  if (item.program.walk) return recordWalk(own ? "bullet" : options.engine, robot, item.program, recording);
+  if (item.program.walk)
+    return recordWalk(own ? simulation::RobotSimulations::usual : options.engine, robot, item.program,
+                      recording);
   if (!onServer(options))
     return own ? recordSimulated(robot, item.program, recording)
                : recordInEngine(options.engine, robot, item.program, recording);
@@ -169,8 +171,9 @@ void addRecord(CommandLine& app) {
   command.option("--type", options->simspark.type, "Of the SimSpark robot").range(0, 9).showDefault();
   command.option(
       "--program", options->programs,
-      "Programs: names in config/excitation, or files; several make several runs. Walks are walked in "
-      "Bullet, or in --engine");
+      std::string("Programs: names in config/excitation, or files; several make several runs. Walks are "
+                  "walked in ") +
+          simulation::RobotSimulations::usual + ", or in --engine");
   command.option("--battery", options->battery, "A standard set of programs, with a repeat")
       .oneOf({"hang", "stand", "all"});
   command.option("--effects", options->effects, "The robot has these effects: doc/reference/effects-file.md");

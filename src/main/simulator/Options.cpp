@@ -136,10 +136,11 @@ Options parseOptions(int argc, char** argv) {
   app.option("--max-seconds", given.maxSeconds, "End after so much simulated time").check(aDuration);
   app.option("--kickoff-after", given.kickOffAfter, "Kick off without a trainer after this many seconds")
       .check(aPatience);
-  app.option("--rules", given.rulesFile, "Rules that differ from the league's, as in config/rules.yaml");
+  app.option("--rules", given.rulesFile, "Rules that differ from the league's, in the form of --print-rules");
   app.flag("--print-rules", given.printRules, "Print all rules and their numbers as such a file and end");
-  app.option("--field", given.fieldFile,
-             "Sizes of the field that differ from the league's, as in config/field.yaml");
+  app.option(
+      "--field", given.fieldFile,
+      "Sizes of the field that differ from the league's, as length: 14; doc/reference/parameters.md has all");
   app.option("--effects", given.effectsFile,
              "Robots and ground have these effects, as bin/gap apply writes them");
   app.option("--half-time", given.halfTime, "Length of a half in seconds [300]").check(aDuration);

@@ -10,9 +10,13 @@
 #include "framework/Controller.h"
 #include "framework/ModuleParameters.h"
 #include "framework/NearestName.h"
+#include "framework/ParameterFiles.h"
 #include "record/ReplayConfig.h"
 
 namespace plumbline {
+
+MAKE_PARAMETER_FILE("log", LogParameters, "What `bin/agent --log` keeps.")
+
 namespace {
 
 constexpr const char* configName = "log";

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
@@ -11,26 +12,25 @@ namespace plumbline {
 
 MAKE_MODULE(StatusReport)
 
-std::string statusWords(const std::string& doing, const std::string& motion, Posture posture,
+std::string statusWords(const SkillOutput* skill, const MotionOutput* motion, Posture posture,
                         bool searching) {
-  if (posture == Posture::falling) return "falling";
-  if (motion == Motion::specialAction || (posture != Posture::upright && posture != Posture::sitting)) {
-    switch (posture) {
-      case Posture::onFront:
-        return "getting up from the front";
-      case Posture::onBack:
-        return "getting up from the back";
-      case Posture::onLeft:
-      case Posture::onRight:
-        return "getting up from the side";
-      default:
-        return "getting up";
-    }
+  switch (posture) {
+    case Posture::falling:
+      return "falling";
+    case Posture::onFront:
+      return "getting up from the front";
+    case Posture::onBack:
+      return "getting up from the back";
+    case Posture::onLeft:
+    case Posture::onRight:
+      return "getting up from the side";
+    default:
+      break;
   }
-  if (motion == Motion::kick) return "kicking";
-  if (searching && motion == Motion::walk) return "searching";
-  if (!doing.empty()) return doing;
-  return motion == Motion::walk ? "walking" : "standing";
+  if (motion && motion->endsByItself) return motion->doing;
+  if (searching && motion && motion->goes) return "searching";
+  if (skill) return skill->doing;
+  return motion ? motion->doing : "standing";
 }
 
 void StatusReport::init() {
@@ -38,10 +38,9 @@ void StatusReport::init() {
   if (const MotionToPlay* motion = findObject<MotionToPlay>()) played_ = motion->name;
 }
 
-std::string StatusReport::doing() const {
-  for (const SkillOutput* output : allSkillOutputs)
-    if (output->skill == theSkillRequest->skill) return output->doing;
-  return "";
+const MotionOutput* StatusReport::motion() const {
+  const auto found = std::ranges::find(allMotionOutputs, theMotionSelection->motion, &MotionOutput::motion);
+  return found == allMotionOutputs.end() ? nullptr : *found;
 }
 
 void StatusReport::execute() {
@@ -56,7 +55,8 @@ void StatusReport::execute() {
              theRobotPose->pose.x(), theRobotPose->pose.y(), toDegrees(theRobotPose->pose.heading),
              theBallPos->field.x(), theBallPos->field.y(),
              plays ? "playing " + played_
-                   : statusWords(doing(), selection.motion, theFallState->posture, searching));
+                   : statusWords(findSkill(allSkillOutputs, theSkillRequest->skill), motion(),
+                                 theFallState->posture, searching));
   std::fflush(stdout);
 }
 

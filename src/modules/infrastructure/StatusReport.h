@@ -8,6 +8,7 @@
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/FallState.h"
 #include "representations/modeling/RobotPose.h"
+#include "representations/motion/MotionOutput.h"
 #include "representations/motion/MotionSelection.h"
 #include "representations/skills/SkillOutput.h"
 
@@ -26,6 +27,7 @@ MODULE(StatusReport)
   REQUIRES(FallState)
   REQUIRES(SkillRequest)
   REQUIRES_ALL(SkillOutput)
+  REQUIRES_ALL(MotionOutput)
   REQUIRES(MotionSelection)
 END_MODULE
 
@@ -37,15 +39,17 @@ public:
   void execute() override;
 
 private:
-  std::string doing() const;
+  /// The motion that drives the joints; null: it is none of the agent's.
+  const MotionOutput* motion() const;
 
   bool wanted_ = false;
   std::string played_;  ///< the motion that MotionPlayer plays; empty: none
   double next_ = -1;
 };
 
-/// The words of the status line, e.g. "dribbling", "getting up from the back". doing: of the requested skill,
-/// or empty.
-std::string statusWords(const std::string& doing, const std::string& motion, Posture posture, bool searching);
+/// The words of the status line, e.g. "dribbling", "getting up from the back": what a motion that ends by
+/// itself does, otherwise what the requested skill does (null: nothing), otherwise what the motion does.
+std::string statusWords(const SkillOutput* skill, const MotionOutput* motion, Posture posture,
+                        bool searching);
 
 }  // namespace plumbline

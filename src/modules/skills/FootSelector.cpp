@@ -9,9 +9,9 @@ MAKE_MODULE(FootSelector)
 
 void FootSelector::update(ActiveFoot* theActiveFoot) {
   const Vec2& ball = theBallPos->field;
-  const bool plays = theSkillRequest->skill == Skill::kick || theSkillRequest->skill == Skill::dribble;
-  const Vec2 way = plays ? Vec2(theSkillRequest->target.position - ball)
-                         : Vec2(theSkillRequest->target.rotation() * Vec2::UnitX());
+  const SkillOutput* skill = findSkill(allSkillOutputs, theSkillRequest->skill);
+  const Vec2 way = skill && skill->playsBall() ? Vec2(theSkillRequest->target.position - ball)
+                                               : Vec2(theSkillRequest->target.rotation() * Vec2::UnitX());
   if (way.norm() < 1e-6) return;
   const Vec2 left = Vec2(-way.y(), way.x()).normalized();
   double side = left.dot(theRobotPose->pose.position - ball);

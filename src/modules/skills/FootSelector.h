@@ -5,11 +5,13 @@
 #include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/ActiveFoot.h"
+#include "representations/skills/SkillOutput.h"
 
 namespace plumbline {
 
 MODULE(FootSelector)
   REQUIRES(SkillRequest)
+  USES_ALL(SkillOutput)
   REQUIRES(RobotPose)
   REQUIRES(BallPos)
   REQUIRES_IF_PROVIDED(OtherRobots)

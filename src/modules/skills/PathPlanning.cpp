@@ -11,12 +11,10 @@ namespace plumbline {
 MAKE_MODULE(PathPlanning)
 
 PathPlanning::Destination PathPlanning::destination() const {
-  if (theSkillRequest->skill == Skill::moveToPos) return Destination::place;
-  if (theSkillRequest->skill == Skill::getBall) return Destination::ball;
-  for (const SkillOutput* output : allSkillOutputs)
-    if (output->skill == theSkillRequest->skill && output->approach != BallApproach::none)
-      return Destination::ball;
-  return Destination::none;
+  const SkillOutput* skill = findSkill(allSkillOutputs, theSkillRequest->skill);
+  if (!skill) return Destination::none;
+  if (skill->goesToTarget) return Destination::place;
+  return skill->approach == BallApproach::none ? Destination::none : Destination::ball;
 }
 
 std::vector<Obstacle> PathPlanning::obstacles(Destination to) const {

@@ -27,11 +27,10 @@ void drawPlan(Drawing& drawing, const Pose2& T_robot_place, const std::vector<Po
 
 MAKE_MODULE(SkillGetBall)
 
-BallApproach SkillGetBall::requestedApproach() const {
-  if (theSkillRequest->skill == Skill::getBall) return BallApproach::heading;
-  for (const SkillOutput* output : allSkillOutputs)
-    if (output->skill == theSkillRequest->skill) return output->approach;
-  return BallApproach::none;
+BallApproach SkillGetBall::requestedApproach(const SkillOutput& own) const {
+  if (theSkillRequest->skill == own.skill) return own.approach;
+  const SkillOutput* skill = findSkill(allSkillOutputs, theSkillRequest->skill);
+  return skill ? skill->approach : BallApproach::none;
 }
 
 const Kick& SkillGetBall::chooseKick(double metres) {
@@ -49,13 +48,13 @@ void SkillGetBall::update(SkillGetBallOutput* theSkillGetBallOutput) {
   output.clear();
   output.atBall = false;
   output.pressed = theOtherRobots && theOtherRobots->nearestOpponent(theBallPos->field) < pressedDistance;
-  const BallApproach wanted = requestedApproach();
+  const BallApproach wanted = requestedApproach(output);
   if (wanted == BallApproach::none) {
     positioning_.leave();
     return;
   }
 
-  output.active = theSkillRequest->skill == Skill::getBall;
+  output.active = theSkillRequest->skill == output.skill;
   const double mirror = theActiveFoot->foot == Side::left ? -1 : 1;
   double heading = theSkillRequest->target.heading;
   Vec2 place(dribbleDistance, 0);

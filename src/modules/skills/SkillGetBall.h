@@ -50,7 +50,7 @@ public:
   void update(SkillGetBallOutput* theSkillGetBallOutput) override;
 
 private:
-  BallApproach requestedApproach() const;
+  BallApproach requestedApproach(const SkillOutput& own) const;
   /// The kick for a way of the ball [m], with some reluctance to change it.
   const Kick& chooseKick(double metres);
 

@@ -7,7 +7,7 @@ namespace plumbline {
 REPRESENTATION_OF(DeadMotionOutput, MotionOutput)
 class DeadMotionOutput : public DeadMotionOutputBase {
 public:
-  DeadMotionOutput() : DeadMotionOutputBase(Motion::dead) {}
+  DeadMotionOutput() : DeadMotionOutputBase(Motion::dead, false, "slack") {}
 };
 
 }  // namespace plumbline

@@ -7,7 +7,7 @@ namespace plumbline {
 REPRESENTATION_OF(KickMotionOutput, MotionOutput)
 class KickMotionOutput : public KickMotionOutputBase {
 public:
-  KickMotionOutput() : KickMotionOutputBase(Motion::kick, true) {}
+  KickMotionOutput() : KickMotionOutputBase(Motion::kick, true, "kicking") {}
 };
 
 }  // namespace plumbline

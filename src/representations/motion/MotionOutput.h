@@ -23,6 +23,8 @@ public:
   static constexpr const char* kindName() { return "MotionOutput"; }
 
   std::string motion;         ///< name by which MotionRequest asks for it; never changes
+  std::string doing;          ///< for people: "kicking"; never changes
+  bool goes = false;          ///< it carries the robot to other places; never changes
   JointTargets targets;       ///< in every cycle, also while it is not selected
   bool finished = true;       ///< another motion may take over now
   bool endsByItself = false;  ///< once finished it restarts if it is still requested
@@ -36,7 +38,9 @@ public:
   }
 
 protected:
-  explicit MotionOutput(std::string name, bool ends = false) : motion(std::move(name)), endsByItself(ends) {}
+  /// Without words for people its name does.
+  explicit MotionOutput(const std::string& name, bool ends = false, const std::string& words = {})
+      : motion(name), doing(words.empty() ? name : words), endsByItself(ends) {}
   ~MotionOutput() = default;
 };
 

@@ -7,7 +7,7 @@ namespace plumbline {
 REPRESENTATION_OF(SpecialActionsOutput, MotionOutput)
 class SpecialActionsOutput : public SpecialActionsOutputBase {
 public:
-  SpecialActionsOutput() : SpecialActionsOutputBase(Motion::specialAction, true) {}
+  SpecialActionsOutput() : SpecialActionsOutputBase(Motion::specialAction, true, "getting up") {}
 };
 
 }  // namespace plumbline

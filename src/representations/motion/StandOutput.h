@@ -7,7 +7,7 @@ namespace plumbline {
 REPRESENTATION_OF(StandOutput, MotionOutput)
 class StandOutput : public StandOutputBase {
 public:
-  StandOutput() : StandOutputBase(Motion::stand) {}
+  StandOutput() : StandOutputBase(Motion::stand, false, "standing") {}
 };
 
 }  // namespace plumbline

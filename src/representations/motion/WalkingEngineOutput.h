@@ -9,7 +9,7 @@ namespace plumbline {
 REPRESENTATION_OF(WalkingEngineOutput, MotionOutput)
 class WalkingEngineOutput : public WalkingEngineOutputBase {
 public:
-  WalkingEngineOutput() : WalkingEngineOutputBase(Motion::walk) {}
+  WalkingEngineOutput() : WalkingEngineOutputBase(Motion::walk, false, "walking") { goes = true; }
 
   Pose2 odometry;                ///< motion of the robot's ground frame in this cycle, as planned
   Vec2 velocity = Vec2::Zero();  ///< walked now [m/s]

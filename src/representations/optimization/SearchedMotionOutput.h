@@ -10,7 +10,7 @@ class SearchedMotionOutput : public SearchedMotionOutputBase {
 public:
   static constexpr const char* name = "searched";
 
-  SearchedMotionOutput() : SearchedMotionOutputBase(name, true) {}
+  SearchedMotionOutput() : SearchedMotionOutputBase(name, true, "trying a kick") {}
   Vec2 ball = Vec2::Zero();  ///< where it wants the ball, robot's ground frame [m]
 };
 

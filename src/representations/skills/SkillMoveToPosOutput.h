@@ -7,7 +7,7 @@ namespace plumbline {
 REPRESENTATION_OF(SkillMoveToPosOutput, SkillOutput)
 class SkillMoveToPosOutput : public SkillMoveToPosOutputBase {
 public:
-  SkillMoveToPosOutput() : SkillMoveToPosOutputBase(Skill::moveToPos, "walking") {}
+  SkillMoveToPosOutput() : SkillMoveToPosOutputBase(Skill::moveToPos, "walking") { goesToTarget = true; }
 };
 
 }  // namespace plumbline

@@ -1,6 +1,8 @@
 #pragma once
+#include <algorithm>
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "framework/Representation.h"
 #include "math/Pose2.h"
@@ -27,9 +29,13 @@ class SkillOutput : public Representation {
 public:
   static constexpr const char* kindName() { return "SkillOutput"; }
 
-  std::string skill;      ///< name by which SkillRequest asks for it; never changes
-  std::string doing;      ///< for people: "going to kick"; never changes
-  BallApproach approach;  ///< never changes; SkillGetBall walks there
+  std::string skill;          ///< name by which SkillRequest asks for it; never changes
+  std::string doing;          ///< for people: "going to kick"; never changes
+  BallApproach approach;      ///< never changes; SkillGetBall walks there
+  bool goesToTarget = false;  ///< the robot itself is to be at the request's target; never changes
+
+  /// Whether the request's target is where the ball is to go.
+  bool playsBall() const { return approach == BallApproach::kick || approach == BallApproach::dribble; }
 
   bool active = false;  ///< it is asked for
   std::string motion = Motion::stand;
@@ -87,5 +93,11 @@ private:
     kickBall = Vec2::Zero();
   }
 };
+
+/// The one of that name; null: nobody provides the skill.
+inline const SkillOutput* findSkill(const std::vector<const SkillOutput*>& all, const std::string& name) {
+  const auto found = std::ranges::find(all, name, &SkillOutput::skill);
+  return found == all.end() ? nullptr : *found;
+}
 
 }  // namespace plumbline

@@ -10,7 +10,8 @@ namespace plumbline::simulation {
 /// each step the rules come in the order of their numbers.
 class Rule {
 public:
-  /// What config/rules.yaml can set of a rule: a rule with parameters has a struct of this name.
+  /// What a file of rules (doc/reference/rules.yaml) can set of a rule: a rule with parameters has a struct
+  /// of this name.
   struct Parameters {
     PARAMETERS(Parameters)
   };
@@ -36,7 +37,7 @@ public:
 
 }  // namespace plumbline::simulation
 
-/// MAKE_RULE(Charging, "charging", 100) in the rule's .cpp: the class, its section in config/rules.yaml, and
+/// MAKE_RULE(Charging, "charging", 100) in the rule's .cpp: the class, its section in a file of rules, and
 /// its place in the order of rules. Rules of the same number come in the order of their names.
 #define MAKE_RULE(Class, name, order)                                                            \
   static const ::plumbline::simulation::RuleLoader plumblineRule##Class(                         \

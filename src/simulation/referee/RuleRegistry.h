@@ -11,7 +11,7 @@ class Rule;
 
 /// A rule that is linked into the program.
 struct RuleEntry {
-  std::string name;  ///< also its section in config/rules.yaml
+  std::string name;  ///< also its section in a file of rules
   int order = 0;
   std::unique_ptr<Rule> (*make)() = nullptr;
   RuleParameters parameters;  ///< with their defaults

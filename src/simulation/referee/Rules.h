@@ -7,8 +7,8 @@
 namespace plumbline::simulation {
 
 /// The numbers of all rules, in seconds, metres and radians. The values here, and in the rules' own files,
-/// are the league's (rcssserver3d 0.7.3, naosoccersim.rb). Here are the sections of config/rules.yaml that
-/// more than one rule needs; a rule's own parameters are declared in its file, see of().
+/// are the league's (rcssserver3d 0.7.3, naosoccersim.rb). Here are the sections of doc/reference/rules.yaml
+/// that more than one rule needs; a rule's own parameters are declared in its file, see of().
 struct Rules {
   PARAMETERS(Rules)
 

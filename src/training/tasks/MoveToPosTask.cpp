@@ -7,6 +7,7 @@
 #include "framework/ConfigFile.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
+#include "simspark/LeagueRobots.h"
 #include "walking/planning/SpeedLimits.h"
 
 namespace plumbline::training {
@@ -14,7 +15,6 @@ namespace {
 
 using motion::MotionTrial;
 
-constexpr int types = 5;           // of robots, from 0
 constexpr double longestWay = 40;  // for it [s]
 constexpr double near = 0.08;      // within this the robot is there [m]
 constexpr double turned = 0.2;     // and with its heading within this [rad]
@@ -42,8 +42,10 @@ MoveToPosTask::MoveToPosTask(const TaskOptions& options, const ConfigFile& file)
   options.check({"type", "nearest", "farthest", "fall"});
   if (file.root().has("plan"))
     readParameters(file.root().section("plan"), ApproachPlannerParameters::parameterList(), &plan_);
-  const std::string type = options.word("type", "all", {"all", "0", "1", "2", "3", "4"});
-  for (int i = 0; i < types; ++i)
+  std::vector<std::string> types{"all"};
+  for (int i = 0; i < numSimsparkTypes(); ++i) types.push_back(std::to_string(i));
+  const std::string type = options.word("type", "all", types);
+  for (int i = 0; i < numSimsparkTypes(); ++i)
     if (type == "all" || type == std::to_string(i)) robots_.push_back(std::make_unique<MotionTrial>(i));
 }
 

@@ -49,7 +49,7 @@ namespace fast = eprosima::fastdds::dds;
 dds::NetworkOptions options() {
   dds::NetworkOptions result;
   result.agent = result.from = "bench";
-  result.participant.domain = 90;
+  result.domain = 90;
   return result;
 }
 

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "representations/skills/SkillGetBallOutput.h"
+#include "representations/skills/SkillKickOutput.h"
 #include "support/ModuleHarness.h"
 
 using namespace plumbline;
@@ -15,6 +17,8 @@ struct FootSelectorTest : testing::Test {
     harness.input<SkillRequest>().target = Pose2(10, 0, 0);
     harness.input<BallPos>().field = Vec2::Zero();
     harness.input<OtherRobots>();
+    harness.input<SkillKickOutput>();
+    harness.input<SkillGetBallOutput>();
   }
   Side footFrom(const Vec2& place) {
     harness.input<RobotPose>().pose = Pose2(place, 0);

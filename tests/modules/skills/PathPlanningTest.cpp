@@ -4,6 +4,7 @@
 
 #include "modules/skills/SkillWish.h"
 #include "representations/skills/SkillKickOutput.h"
+#include "representations/skills/SkillMoveToPosOutput.h"
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 #include "support/Robots.h"
@@ -19,6 +20,7 @@ protected:
     harness.input<FieldDimensions>();
     harness.input<PlayerInfo>().number = 4;
     harness.input<SkillKickOutput>();
+    harness.input<SkillMoveToPosOutput>();
     role.role = PlayerRole::supporter;
     pose.valid = true;
     test::wish(harness, Skill::moveToPos, Pose2(4, 0, 0));

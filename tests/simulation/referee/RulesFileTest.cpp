@@ -32,13 +32,13 @@ protected:
 };
 
 TEST_F(RulesFile, theProjectsOneSaysWhatHoldsWithoutIt) {
-  EXPECT_EQ(readRules("config/rules.yaml"), Rules{});
+  EXPECT_EQ(readRules("doc/reference/rules.yaml"), Rules{});
   Rules strange;
   strange.time.half = 1;
   strange.of<simulation::Crowding>().on = strange.types.on = true;
   strange.pass.duration = 9;
   strange.moves.attempts = 3;
-  EXPECT_EQ(readRules("config/rules.yaml", strange), Rules{}) << "and names everything";
+  EXPECT_EQ(readRules("doc/reference/rules.yaml", strange), Rules{}) << "and names everything";
 }
 
 TEST_F(RulesFile, whatIsWrittenIsRead) {
