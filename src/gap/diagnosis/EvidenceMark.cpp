@@ -102,10 +102,10 @@ public:
   void add(const Trial& trial) {
     const auto& [name, recording, motion, recordedMotion, robot, freeBase, heading, time, command, followed,
                  commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt,
-                 velocityAt, signals, restarts, betweenSteps] = trial;
+                 velocityAt, signals, notPredicted, restarts, betweenSteps] = trial;
     all(name, recording, motion, recordedMotion, *robot, freeBase, heading, time, command, followed,
         commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt, velocityAt,
-        signals, restarts, betweenSteps);
+        signals, notPredicted, restarts, betweenSteps);
   }
   void add(const SignalNoise& noise) {
     const auto& [sigma, own, repeated] = noise;
