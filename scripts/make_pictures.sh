@@ -56,7 +56,7 @@ match() {
 
 # Roles, ways and beliefs of a team of four.
 team() {
-  matchPicture team 12 -1,-9,9 --left 4 --right 2 --seconds 20 --seed 2 --draw team,belief
+  matchPicture team 12 -1,-9,9 --left 5 --right 1 --seconds 20 --seed 2 --draw team,belief:robots,belief:ball
   put "$work/team.jpg" team-drawings.jpg
 }
 

@@ -128,7 +128,7 @@ TEST_F(BeliefShareTest, ownWordsCountAsMatesHeardThem) {
   EXPECT_FALSE(harness.output<TeamBallPos>().valid);  // the own ball is no news
 }
 
-TEST_F(BeliefShareTest, whatMatesToldIsDrawn) {
+TEST_F(BeliefShareTest, whatMatesSaidIsDrawn) {
   const Drawing drawing = test::drawnBy("draw:belief:heard", [&] { hear({beliefOf(5, {1, 1})}); });
   EXPECT_EQ(test::placeOf(drawing, "mate 5"), Vec3(0, 0, 0)) << "where it says that it is";
   EXPECT_EQ(test::countOf<shapes::Circle>(drawing), 1u);
