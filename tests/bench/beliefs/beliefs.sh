@@ -18,7 +18,7 @@ cp -r config "$out/config"
 echo "OthersEvaluation" >> "$out/config/platforms/simspark/modules.cfg"
 for ((game = 1; game <= games; ++game)); do
   echo "folder: $out/$game/others" > "$out/config/OthersEvaluation.yaml"
-  scripts/autoplay/startGame.sh --half-time "$half" --seed $((seed + game - 1)) --players $((2 * players)) --names Team,Swarm --log "$out/games.log" \
+  scripts/autoplay/startGame.sh --half-time "$half" --seed $((seed + game - 1)) --players $((2 * players)) --names Team,Swarm --log "$out/games.log" --hang 300 \
     --output "$out/$game" "bin/start.sh --config $out/config --players $players" \
     "bin/start.sh --players $players -- --modules $PWD/config/platforms/simspark/swarm.cfg"
   awk -f tests/bench/beliefs/errors.awk "$out/$game/track.csv" "$out/$game"/others/left-*.csv >> "$out/errors.tsv"
