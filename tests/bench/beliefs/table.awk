@@ -29,7 +29,7 @@ END {
     for (k = 1; k <= 5; ++k) printf "%s", (k == 5 && w > 1 ? " |" : cell(what SUBSEP belief SUBSEP group[k]))
     all = what SUBSEP belief SUBSEP "all"; unseen = what SUBSEP belief SUBSEP "unseen"
     printf " %.1f |", n[all] ? mean(all, 6) : 0
-    if (n[unseen]) printf " %.1f %% |\n", 100 * mean(unseen, 6); else print " |"
+    if (w == 1 && n[all]) printf " %.1f %% |\n", 100 * sum[unseen, 6] / n[all]; else print " |"
     for (k = 1; k <= 5; ++k) {
       g = what SUBSEP belief SUBSEP group[k]
       if (n[g]) text = text sprintf("%s\n  {\"name\": \"beliefs.%s.%s.%s\", \"value\": %.4g, \"unit\": \"m\", \"better\": \"lower\"}", (text == "[" ? "" : ","), what, belief, group[k], mean(g, 4))
