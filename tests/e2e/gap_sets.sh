@@ -49,7 +49,7 @@ grep -q '^  [a-z_]* in [0-9] joints: [-0-9.e]* to [-0-9.e]* ' "$scratch/diagnose
 gap apply "$scratch/two.json" --anyway -o "$scratch/nearest.yaml"
 expectEqual "$(grep -c '^ *- ' "$scratch/nearest.yaml")" "$(ask "$scratch/two.json" 'a.gap.model.length')" "what is applied"
 gap record --robot $arm --program hang_multisine --effects "$scratch/model.yaml" --seed 3 -o "$scratch/model"
-expectError 2 "gap: $scratch/answer.json: has no values of all joints (gap.further.model); answers with the verdict unknown about robots whose base is held have them" \
+expectError 2 "gap: $scratch/answer.json: has no values of all joints (gap.further.model); answers with the verdict unknown about robots whose base is fixed have them" \
   "$bin/gap" check "$scratch/answer.json" "$scratch/unseen" --robot $arm --further
 
 # The report shows both, recording by recording, when it is given the check.

@@ -12,7 +12,7 @@ try {
   await until('the page shows a game', () => run('Boolean(window.plumbline?.result)'));
   check((await run('plumbline.game.robots.length')) === 4, 'with four players');
   check(/^\d+ : \d+$/.test(await run('document.querySelector("#result .score").textContent')), 'the score');
-  check((await run('document.querySelectorAll("#figures tr").length')) === 10, 'the figures');
+  check((await run('document.querySelectorAll("#figures tr").length')) === 11, 'the figures');
   check((await drawn('#field')) > 3, 'a moment');
   for (const map of ['#heat figure:nth-child(1) canvas', '#heat figure:nth-child(2) canvas', '#ways canvas']) check((await drawn(map)) > 2, `a map ${map}`);
   check((await run('plumbline.result.figures.left.way > 1 && plumbline.result.figures.right.way > 1')), 'the players have gone some way');
