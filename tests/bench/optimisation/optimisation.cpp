@@ -294,7 +294,7 @@ int main(int argc, char** argv) {
       "with the same first\ndeviation. Times are of the processor. `real_farm30`: thirty processes of "
       "bin/optworker "
       "whose evaluations sleep.\nMotions by hand and found: [optimisation-motions](optimisation-motions.md). "
-      "Speed-up by the number of workers: `make bench-clients`.\n",
+      "Speed-up by the number of workers: [clients](clients.md).\n",
       seeds, fewSeeds, largest, largestPeer);
   checkBeginning(seeds);
   compareTime();
