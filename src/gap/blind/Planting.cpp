@@ -231,7 +231,7 @@ Cause sized(const RealRecordings& base, Cause cause, double change) {
   return cause;
 }
 
-double leftOfPlant(const RealRecordings& base, const RealRecordings& planted, Cause cause) {
+double leftOfPlant(const RealRecordings& base, const RealRecordings& planted, const Cause& cause) {
   const std::vector<double> wanted = residualsOf(base, {}), nominal = residualsOf(planted, {});
   const double whole = differenceOf(wanted, nominal);
   double left = 1, strength = cause.effect->strengthOf(cause.value);

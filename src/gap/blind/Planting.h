@@ -48,6 +48,6 @@ Cause sized(const RealRecordings& base, Cause cause, double change);
 
 /// Least that a cause, whatever its value, leaves of what the plant changes, as a share of the change: near 0
 /// for the planted one in another name.
-double leftOfPlant(const RealRecordings& base, const RealRecordings& planted, Cause cause);
+double leftOfPlant(const RealRecordings& base, const RealRecordings& planted, const Cause& cause);
 
 }  // namespace plumbline::gap

@@ -208,6 +208,7 @@ void RecordingImport::guessUnits(ImportedRun& result) {
 void RecordingImport::guessGroup(ChannelKind kind, bool sliding, std::vector<Source*> group,
                                  UnitGuess::Known& known, ImportedRun& result) {
   std::vector<UnitGuess::Raw> raws;
+  raws.reserve(group.size());
   for (const Source* source : group)
     raws.push_back(
         {parseChannel(source->to)->place, &source->values, source->rule->factor, source->rule->offset});

@@ -298,6 +298,7 @@ GuessedUnit UnitGuess::force(const Raws& channels) const {
   std::vector<std::vector<double>> forces;
   for (const Raw& raw : channels) forces.push_back(scaled(raw));
   std::vector<const std::vector<double>*> columns;
+  columns.reserve(forces.size());
   for (const std::vector<double>& one : forces) columns.push_back(&one);
   const double sum = std::abs(medianSum(columns));
   const double weight = robot_ ? robot_->totalMass() * robot_->gravity.norm() : 0;
