@@ -9,7 +9,7 @@ noArguments "$@"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 page=doc/results/reliability.md
 machine=$(sed -n 's/^model name[^:]*: *//p' /proc/cpuinfo | sed -n 1p)
-# The text that people wrote: what stands above the first mark and below the last.
+# The text that people wrote: what is above the first mark and below the last.
 mark='<!-- measured -->' end='<!-- /measured -->'
 grep -qF "$mark" $page && grep -qF "$end" $page || { echo "make_reliability.sh: $page has no place for figures ($mark ... $end)" >&2; exit 2; }
 dated() { date -u -r "$1" +%Y-%m-%d; }
@@ -19,11 +19,18 @@ table() { # file, first line to take
   printf '\n%s.\n' "$(tail -1 "$1")"
 }
 here="$(nproc) cores of ${machine:-an unknown CPU}"
-# The section ($1) as it stands in the page, or that the command ($2) is to be run.
+# The section ($1) as it is in the page, or that the command ($2) is to be run.
 missing() {
   local before
   before=$(awk -v head="## $1" '$0 == head { on = 1; next } /^## / || /^<!-- \/measured/ { on = 0 } on' $page | sed -e '/./,$!d' | sed -e :a -e '/^\n*$/{$d;N;ba' -e '}')
   if [[ $before ]]; then printf '%s\n' "$before"; else printf 'Not measured yet: `%s`.\n' "$2"; fi
+}
+# A section: title, command, table, two lines about the figures.
+measured() {
+  printf '\n## %s\n\n' "$1"
+  if [[ ! -s $3 ]]; then missing "$1" "$2"; return; fi
+  printf '`%s`, %s, %s: %s\n%s\n\n' "$2" "$(dated "$3")" "$here" "$4" "$5"
+  table "$3"
 }
 {
   sed "/$mark/q" $page
@@ -42,27 +49,15 @@ missing() {
     open { line = line $0 }
     open && /;$/ { match(line, /[0-9]+\}\);$/); inputs += substr(line, RSTART); quarter += int(substr(line, RSTART) / 4); ++n; line = ""; open = 0 }
     END { printf "%d readers: %d damaged inputs in a release build, the first quarter of them (%d) under the sanitizers in `make test`.\n", n, inputs, quarter }'
-  printf '\n## Calls of the system that fail\n\n'
-  if [[ -s build/faults/table.txt ]]; then
-    echo "\`make faults\`, $(dated build/faults/table.txt), $here: how often each kind of call was made to fail, and how often a program then"
-    echo "ended without saying why, or left a file half written. Of writes each failed alone, and with all that follow."
-    echo
-    table build/faults/table.txt
-  else missing "Calls of the system that fail" "make faults"; fi
-  printf '\n## Kills\n\n'
-  if [[ -s build/faults/kills.txt ]]; then
-    echo "\`make kills\`, $(dated build/faults/kills.txt), $here: how often each program was killed, its recording was readable, and the same"
-    echo "command came to the same bytes as without the kill. Equal folders that kills left were gone on with once."
-    echo
-    table build/faults/kills.txt
-  else missing "Kills" "make kills"; fi
-  printf '\n## Stops\n\n'
-  if [[ -s build/stops/table.txt ]]; then
-    echo "\`make stops\`, $(dated build/stops/table.txt), $here: how often each program got SIGINT or SIGTERM, and how long it then took to"
-    echo "its end at most [s]. Uncaught: before or after its work, where the signal itself ends it. Slow: over a second, but not again."
-    echo
-    table build/stops/table.txt
-  else missing "Stops" "make stops"; fi
+  measured "Calls of the system that fail" "make faults" build/faults/table.txt \
+    "how often each kind of call was made to fail, and how often a program then" \
+    "ended without saying why, or left a file half written. Of writes each failed alone, and with all that follow."
+  measured Kills "make kills" build/faults/kills.txt \
+    "how often each program was killed, its recording was readable, and the same" \
+    "command came to the same bytes as without the kill. Equal folders that kills left were gone on with once."
+  measured Stops "make stops" build/stops/table.txt \
+    "how often each program got SIGINT or SIGTERM, and how long it then took to" \
+    "its end at most [s]. Uncaught: before or after its work, where the signal itself ends it. Slow: over a second, but not again."
   printf '\n## Long games\n\n'
   if compgen -G 'build/soak/*.txt' > /dev/null; then
     for file in build/soak/*.txt; do echo "\`make soak\`, $(dated "$file"), $here: $(cat "$file")." && echo; done

@@ -6,7 +6,7 @@
 # Variables: STOPS, of each job [8]; SEED, of the places [1]; JOBS, how many jobs at once [one per core]; PLUMBLINE_BIN, where
 # the programs are [bin]. Signals are SIGINT and SIGTERM in turn. On a busy machine a second is as much longer as the load average
 # is above the number of cores; more than a second of CPU never passes.
-# What was tried stands in build/stops/table.txt (uncaught: before or after the program's work, where the signal itself ends it;
+# The results are in build/stops/table.txt (uncaught: before or after the program's work, where the signal itself ends it;
 # longest: from the signal to the end; slow: took over a second once, but not again), what broke in build/stops/findings.txt.
 # Example: STOPS=100 scripts/stops.sh gap_diagnose game
 set -uo pipefail

@@ -67,8 +67,7 @@ void Drawing::circle(const Place& centre, double radius, const shapes::Colour& c
 void Drawing::ellipse(const Place& centre, const Mat2& covariance, const shapes::Colour& colour,
                       double deviations, double thickness) {
   constexpr int parts = 16;
-  constexpr double round =
-      0.95;  // a shorter axis of this share of the longer one: nobody sees the difference
+  constexpr double round = 0.95;  // share of the longer axis from which nobody sees a difference
   if (!covariance.allFinite()) return;
   const Eigen::SelfAdjointEigenSolver<Mat2> axes(0.5 * (covariance + covariance.transpose()));
   if (axes.eigenvalues()[1] < 0) return;

@@ -27,8 +27,8 @@ public:
   }
 
 private:
-  pthread_key_t
-      key_{};  // never deleted: threads may outlast static objects, and modules log until the very end
+  // Never deleted: threads may outlast static objects, and modules log until the very end.
+  pthread_key_t key_{};
 };
 
 }  // namespace plumbline

@@ -6,17 +6,22 @@
 
 namespace plumbline {
 
+/// SplitMix64 (Steele, Lea and Flood 2014): each bit of the input changes about half of the output's.
+constexpr std::uint64_t splitMix64(std::uint64_t value) {
+  value += 0x9e3779b97f4a7c15ULL;
+  value = (value ^ (value >> 30)) * 0xbf58476d1ce4e5b9ULL;
+  value = (value ^ (value >> 27)) * 0x94d049bb133111ebULL;
+  return value ^ (value >> 31);
+}
+
 /// Random numbers that are the same for the same seed on every machine: xoshiro256++ (Blackman and Vigna,
 /// "Scrambled Linear Pseudorandom Number Generators", 2021), its state filled by splitmix64.
 class Random {
 public:
   explicit Random(std::uint64_t seed) {
     for (std::uint64_t& word : state_) {
+      word = splitMix64(seed);
       seed += 0x9e3779b97f4a7c15ULL;
-      std::uint64_t z = seed;
-      z = (z ^ (z >> 30)) * 0xbf58476d1ce4e5b9ULL;
-      z = (z ^ (z >> 27)) * 0x94d049bb133111ebULL;
-      word = z ^ (z >> 31);
     }
   }
 

@@ -4,6 +4,7 @@
 #include <charconv>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
 #include "framework/ConfigFolder.h"
@@ -110,6 +111,14 @@ void checkGains(const MechanismParts& parts, const std::string& path) {
                               fs::path(path).stem().string() + ".servo.json");
 }
 
+/// The robot's file in a folder of robots.
+std::optional<fs::path> fileOf(const std::string& name, const fs::path& folder) {
+  std::error_code error;
+  for (const char* ending : {".json", ".urdf", ".xml"})
+    if (const fs::path path = folder / (name + ending); fs::exists(path, error)) return path;
+  return std::nullopt;
+}
+
 }  // namespace
 
 Mechanism readMechanism(const std::string& path, const MechanismWarnings& warn) {
@@ -136,6 +145,8 @@ Mechanism readMechanism(const std::string& path, const MechanismWarnings& warn) 
   return mechanism;
 }
 
+bool isKnownMechanism(const std::string& name) { return fileOf(name, configPath("robots")).has_value(); }
+
 Mechanism findMechanism(const std::string& name, const std::string& givenFolder) {
   const std::string folder = givenFolder.empty() ? configPath("robots") : givenFolder;
   checkName(name, "robot", folder);
@@ -146,10 +157,7 @@ Mechanism findMechanism(const std::string& name, const std::string& givenFolder)
     if ((ending == ".json" || ending == ".urdf" || ending == ".xml") && stem.find('.') == std::string::npos)
       known.insert(stem);
   }
-  for (const char* ending : {".json", ".urdf", ".xml"}) {
-    const fs::path path = fs::path(folder) / (name + ending);
-    if (fs::exists(path, error)) return readMechanism(path.string());
-  }
+  if (const auto path = fileOf(name, folder)) return readMechanism(path->string());
   std::string list;
   for (const std::string& robot : known) list += (list.empty() ? "" : ", ") + robot;
   failMechanism(folder, "no robot " + name + "; there are " + (list.empty() ? "none" : list) +

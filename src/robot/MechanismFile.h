@@ -24,6 +24,9 @@ Mechanism readMechanism(const std::string& path, const MechanismWarnings& warn =
 /// of the configuration (framework/ConfigFolder.h). Throws MechanismError, also for a name that is a path.
 Mechanism findMechanism(const std::string& name, const std::string& folder = "");
 
+/// Whether the configuration's robots have a file of that name, good or bad.
+bool isKnownMechanism(const std::string& name);
+
 /// A robot by its name in the configuration's robots, or by its file where there is a slash or a dot. Throws
 /// MechanismError.
 Mechanism namedMechanism(const std::string& nameOrFile);

@@ -28,7 +28,7 @@ std::vector<std::pair<std::streamoff, bool>> endsOf(const std::string& text) {
   return ends;
 }
 /// Without the file's name.
-std::string problem(const std::string& path) {
+std::string problemOfLines(const std::string& path) {
   try {
     FileLines lines(path);
     for (std::string line; lines.next(line);) continue;
@@ -53,9 +53,9 @@ TEST(FileLines, knowsWhereALineEnds) {
 }
 
 TEST(FileLines, saysWhyThereAreNone) {
-  EXPECT_EQ(problem(testing::TempDir() + "/nowhere"), ": cannot be read: No such file or directory");
-  EXPECT_EQ(problem(testing::TempDir()), ": cannot be read: Is a directory");
-  EXPECT_EQ(problem("/proc/self/mem"), ": cannot be read: Input/output error");
+  EXPECT_EQ(problemOfLines(testing::TempDir() + "/nowhere"), ": cannot be read: No such file or directory");
+  EXPECT_EQ(problemOfLines(testing::TempDir()), ": cannot be read: Is a directory");
+  EXPECT_EQ(problemOfLines("/proc/self/mem"), ": cannot be read: Input/output error");
 }
 
 }  // namespace

@@ -21,20 +21,6 @@ constexpr double directed = 0.9;     ///< least cosine of a small cause with the
 constexpr double leastNoise = 2e-4;  ///< [rad]
 constexpr int tries = 60, triesOfKind = 4;
 
-double cosine(const std::vector<double>& a, const std::vector<double>& b) {
-  double aa = 0, bb = 0, ab = 0;
-  for (std::size_t k = 0; k < a.size(); ++k) {
-    if (!std::isfinite(a[k] * b[k])) continue;
-    aa += a[k] * a[k], bb += b[k] * b[k], ab += a[k] * b[k];
-  }
-  return aa > 0 && bb > 0 ? ab / std::sqrt(aa * bb) : 0;
-}
-
-std::vector<double> changesOf(std::vector<double> a, const std::vector<double>& b) {
-  for (std::size_t k = 0; k < a.size(); ++k) a[k] -= b[k];
-  return a;
-}
-
 /// The joint that moves what a cause is at; -1: all of them.
 int jointOf(const Mechanism& robot, const Place& place) {
   if (place.site == Site::joint) return robot.motorOf(place.index);
@@ -46,7 +32,7 @@ int jointOf(const Mechanism& robot, const Place& place) {
 /// Causes of the library at the same joint that look the same in these recordings.
 std::vector<NamedPlace> alikeTo(const PlantingBase& base, const RealRecordings& with, const Cause& plant) {
   std::vector<NamedPlace> names;
-  const std::vector<double> planted = residualsOf(with, {}), wanted = changesOf(base.nominal, planted);
+  const std::vector<double> planted = residualsOf(with, {}), wanted = minus(base.nominal, planted);
   const Mechanism& robot = with.robot;
   for (const Effect* effect : effects()) {
     if (effect->decoded) continue;
@@ -59,7 +45,7 @@ std::vector<NamedPlace> alikeTo(const PlantingBase& base, const RealRecordings& 
       for (const double start : effect->starts) {
         StopSignal::throwIfCaught();
         const Cause cause{effect, place, start * effect->scaleAt(robot, place)};
-        if (cosine(changesOf(residualsOf(with, {cause}), planted), wanted) < directed) continue;
+        if (cosine(minus(residualsOf(with, {cause}), planted), wanted) < directed) continue;
         if (leftOfPlant(base.recordings, with, cause) > sameThing) continue;
         names.push_back({std::string(effect->id), place.at, place.axis ? std::string(1, place.axis) : ""});
         break;
@@ -109,7 +95,7 @@ bool drawCause(const PlantingBase& base, const std::vector<Cause>& kind, Random&
   const RealRecordings with = planted(base.recordings, cause);
   const std::vector<double> changed = residualsOf(with, {});
   const double change = differenceOf(changed, base.nominal);
-  return change > 0 && cosine(changesOf(changed, base.nominal), base.nominal) > cancels &&
+  return change > 0 && cosine(minus(changed, base.nominal), base.nominal) > cancels &&
          differenceOf(residualsOf(with, {cause}), base.nominal) <= exact * change;
 }
 
@@ -123,8 +109,8 @@ PlantingBase::PlantingBase(RealRecordings from) : recordings(std::move(from)) {
     noise.emplace_back();
     for (const SignalNoise& signal : trial) noise.back().push_back(signal.sigma);
   }
-  for (const std::string_view id : plantable) {
-    std::vector<Cause> plants = plantsFor(recordings, std::span(&id, 1));
+  for (const Effect* effect : plantable()) {
+    std::vector<Cause> plants = plantsFor(recordings, *effect);
     if (!plants.empty()) possible.push_back(std::move(plants));
   }
   if (possible.empty()) throw std::runtime_error("no joint has both commands and positions");

@@ -14,7 +14,7 @@ struct PlantingBase {
   std::vector<double> nominal;               ///< residuals of the nominal model
   double gap = 0;                            ///< their root mean square [rad]
   std::vector<std::vector<double>> noise;    ///< per trial and signal
-  std::vector<std::vector<Cause>> possible;  ///< plants of each kind, kinds in the order of plantable
+  std::vector<std::vector<Cause>> possible;  ///< plants of each kind, in the order of plantable()
 
   /// Throws std::runtime_error if nothing can be planted.
   explicit PlantingBase(RealRecordings recordings);

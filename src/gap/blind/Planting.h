@@ -1,7 +1,4 @@
 #pragma once
-#include <span>
-#include <string>
-#include <string_view>
 #include <vector>
 
 #include "gap/diagnosis/Explanation.h"
@@ -19,18 +16,17 @@ struct RealRecordings {
   RealRecordings(Mechanism model, std::vector<Run> recordings);
 };
 
-/// Effects that can be planted exactly on any robot. They are taken out of the nominal model: a gain of 1.3
-/// in reality is one divided by 1.3 in the model. Or the data is changed, if that is equivalent. Frictions,
-/// play, compliance and lost commands are not among them, because the nominal model has none to take away.
-inline constexpr std::string_view plantable[] = {
-    "servo_gain",   "servo_damping", "rotor_inertia", "link_mass",   "com_offset", "link_length",
-    "joint_offset", "command_delay", "torque_limit",  "speed_limit", "bias_force"};
+/// Effects that can be planted in recordings (Effect::planting), in the order of their ranks.
+std::vector<const Effect*> plantable();
 
-/// Causes of these effects at all places of the robot that were recorded, each with one value per start of
-/// its effect.
-std::vector<Cause> plantsFor(const RealRecordings& base, std::span<const std::string_view> ids = plantable);
+/// Causes of an effect at all places of the robot that were recorded, each with one value per start of the
+/// effect.
+std::vector<Cause> plantsFor(const RealRecordings& base, const Effect& effect);
+/// Those of all plantable() effects.
+std::vector<Cause> plantsFor(const RealRecordings& base);
 
-/// The recordings with the model that lacks the cause. Throws std::runtime_error where it cannot.
+/// The recordings with the model that lacks the cause, of a plantable effect. Throws std::runtime_error if it
+/// cannot.
 RealRecordings planted(const RealRecordings& base, const Cause& cause);
 
 /// Residuals of all positions after 0.3 s, one after the other [rad]; NaN where nothing was measured.
@@ -38,6 +34,11 @@ std::vector<double> residualsOf(const RealRecordings& base, const Explanation& c
 
 /// How many of these residuals a position of a trial has.
 std::size_t residualCycles(const Trial& trial);
+
+std::vector<double> minus(std::vector<double> a, const std::vector<double>& b);
+
+/// Cosine of the angle between two vectors over what is finite in both; 0 if one has no length.
+double cosine(const std::vector<double>& a, const std::vector<double>& b);
 
 /// Root mean square of a - b over what is finite in both [rad].
 double differenceOf(const std::vector<double>& a, const std::vector<double>& b);

@@ -1,6 +1,24 @@
+#include <stdexcept>
+
 #include "gap/effects/Effect.h"
 
 namespace plumbline::gap {
+
+namespace {
+
+/// A target that is too low by value / kp pulls as the value does, while nothing saturates.
+void lowerTarget(const ModelAndRuns& data, const Place& place, double value) {
+  const Mechanism::Joint& joint = data.robot.joints[static_cast<std::size_t>(place.index)];
+  if (!hasLinearServo(data.robot, place)) throw std::runtime_error("its law is not linear");
+  for (Run& run : data.runs) {
+    if (run.find(ChannelKind::stiffness, joint.name)) throw std::runtime_error("the motor is off at times");
+    const auto own = run.servo.find(joint.name);
+    const double kp = own == run.servo.end() ? joint.servo.kp : own->second.kp.value_or(joint.servo.kp);
+    shiftChannel(run, ChannelKind::command, joint.name, -value / kp);
+  }
+}
+
+}  // namespace
 
 /// A spring, a cable or a wrong zero of torque.
 const Effect biasForce{
@@ -26,6 +44,7 @@ const Effect biasForce{
                 .unit = DrawRange::Unit::torque,
                 .bothSigns = true},
     .perJointFit = {.rank = 100},
+    .planting = {.rank = 11, .possible = hasLinearServo, .apply = lowerTarget},
 };
 MAKE_EFFECT(biasForce);
 

@@ -25,6 +25,12 @@ const Effect comOffset{
     .alike = {"link_mass", 12},
     .drawing =
         {.where = DrawRange::Where::link, .low = 0.015, .high = 0.04, .bothSigns = true, .axes = "xyz"},
+    .planting = {.rank = 5,
+                 .apply =
+                     [](const ModelAndRuns& data, const Place& place, double value) {
+                       data.robot.links[static_cast<std::size_t>(place.index)].com -=
+                           value * unitVector(place.axis);
+                     }},
 };
 MAKE_EFFECT(comOffset);
 

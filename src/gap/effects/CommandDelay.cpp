@@ -2,6 +2,25 @@
 
 namespace plumbline::gap {
 
+namespace {
+
+/// The runs say that commands reached the servos earlier than they did.
+void hasten(const ModelAndRuns& data, const Place& place, double by) {
+  for (Run& run : data.runs) {
+    if (place.site == Site::everywhere) {
+      if (run.timing.empty()) run.timing["*"] = {};
+      for (auto& [joint, timing] : run.timing) timing.cmdAt -= by;
+      continue;
+    }
+    std::map<std::string, JointTiming> timing;
+    for (const Mechanism::Joint& joint : data.robot.joints) timing[joint.name] = run.timingOf(joint.name);
+    timing[place.at].cmdAt -= by;
+    run.timing = std::move(timing);
+  }
+}
+
+}  // namespace
+
 /// Transport and processing time between sending a command and its coming into force.
 const Effect commandDelay{
     .id = "command_delay",
@@ -19,6 +38,10 @@ const Effect commandDelay{
     .suspect = 7,
     .drawing = {.where = DrawRange::Where::jointOrAll, .low = 0.003, .high = 0.02},
     .perJointFit = {.rank = 110},
+    .planting = {.rank = 8,
+                 .ofAll = true,
+                 .possible = [](const Mechanism& robot, const Place&) { return robot.numJoints() == 1; },
+                 .apply = hasten},
 };
 MAKE_EFFECT(commandDelay);
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "gap/effects/DrawRange.h"
+#include "gap/effects/TakeOut.h"
 #include "gap/replay/Plant.h"
 
 namespace plumbline::gap {
@@ -108,6 +109,7 @@ struct Effect {
   Screening screening = {};
   DrawRange drawing = {};
   PerJointPart perJointFit = {};  ///< only for effects of joints
+  TakeOut planting = {};
 
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {

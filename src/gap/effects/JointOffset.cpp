@@ -21,6 +21,18 @@ const Effect jointOffset{
     .screening = {.inNeighbours = true, .underLoad = Screening::UnderLoad::anyLeg},
     .drawing = {.where = DrawRange::Where::joint, .low = 0.04, .high = 0.15, .bothSigns = true},
     .perJointFit = {.rank = 90},
+    .planting = {.rank = 7,
+                 .apply =
+                     [](const ModelAndRuns& data, const Place& place, double value) {
+                       // The servo closes its loop over its encoder: its target is in the encoder's angle,
+                       // too.
+                       Mechanism::Joint& joint = data.robot.joints[static_cast<std::size_t>(place.index)];
+                       joint.lower -= value;
+                       joint.upper -= value;
+                       for (Run& run : data.runs)
+                         for (const ChannelKind kind : {ChannelKind::command, ChannelKind::position})
+                           shiftChannel(run, kind, joint.name, -value);
+                     }},
 };
 MAKE_EFFECT(jointOffset);
 

@@ -32,6 +32,15 @@ const Effect linkLength{
                 .low2 = 1.08,
                 .high2 = 1.2,
                 .growth = DrawRange::Growth::factor},
+    .planting = {.rank = 6,
+                 .apply =
+                     [](const ModelAndRuns& data, const Place& place, double value) {
+                       data.robot.links[static_cast<std::size_t>(place.index)].com /= value;
+                       for (Mechanism::Joint& joint : data.robot.joints)
+                         if (joint.parent == place.index) joint.origin /= value;
+                       for (Mechanism::Foot& foot : data.robot.feet)
+                         if (foot.link == place.index) foot.soleCentre.z() /= value;
+                     }},
 };
 MAKE_EFFECT(linkLength);
 

@@ -1,8 +1,15 @@
 #include <algorithm>
+#include <stdexcept>
 
 #include "gap/effects/Sizes.h"
 
 namespace plumbline::gap {
+
+namespace {
+
+constexpr double leastMass = 5e-3;  ///< that is left when some is taken out [kg]
+
+}  // namespace
 
 /// Mass added to a link.
 const Effect linkMass{
@@ -29,6 +36,13 @@ const Effect linkMass{
     .inWalk = true,
     .alike = {"com_offset", 11},
     .drawing = {.where = DrawRange::Where::link, .low = 0.08, .high = 0.3},
+    .planting = {.rank = 4,
+                 .apply =
+                     [](const ModelAndRuns& data, const Place& place, double value) {
+                       double& mass = data.robot.links[static_cast<std::size_t>(place.index)].mass;
+                       mass -= value;
+                       if (mass < leastMass) throw std::runtime_error("no mass would be left");
+                     }},
 };
 MAKE_EFFECT(linkMass);
 

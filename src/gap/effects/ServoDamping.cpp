@@ -33,6 +33,19 @@ const Effect servoDamping{
                 .high2 = 2.5,
                 .growth = DrawRange::Growth::factor},
     .perJointFit = {.rank = 70},
+    .planting = {.rank = 2,
+                 .apply =
+                     [](const ModelAndRuns& data, const Place& place, double value) {
+                       changeServo(
+                           data, place,
+                           [value](Mechanism::Joint& joint) {
+                             joint.servo.kd /= value;
+                             // Of a DC motor: push kt / R stays, the back EMF's kt^2 / R shrinks.
+                             joint.servo.kt /= value;
+                             joint.servo.R /= value;
+                           },
+                           [value](ServoOverride& servo) { divide(servo.kd, value); });
+                     }},
 };
 MAKE_EFFECT(servoDamping);
 

@@ -33,6 +33,20 @@ const Effect servoGain{
                 .high2 = 1.5,
                 .growth = DrawRange::Growth::factor},
     .perJointFit = {.rank = 60},
+    .planting = {.rank = 1,
+                 .apply =
+                     [](const ModelAndRuns& data, const Place& place, double value) {
+                       changeServo(
+                           data, place,
+                           [value](Mechanism::Joint& joint) {
+                             joint.servo.kp /= value;
+                             joint.servo.kpFirmware /= value;
+                           },
+                           [value](ServoOverride& servo) {
+                             divide(servo.kp, value);
+                             divide(servo.kpFirmware, value);
+                           });
+                     }},
 };
 MAKE_EFFECT(servoGain);
 

@@ -28,6 +28,14 @@ const Effect speedLimit{
                 .low = 0.1,
                 .high = 0.35,
                 .growth = DrawRange::Growth::factor},
+    .planting = {.rank = 10,
+                 .possible = hasLinearServo,
+                 .apply =
+                     [](const ModelAndRuns& data, const Place& place, double value) {
+                       changeServo(
+                           data, place, [value](Mechanism::Joint& joint) { joint.maxSpeed /= value; },
+                           [value](ServoOverride& servo) { divide(servo.maxSpeed, value); });
+                     }},
 };
 MAKE_EFFECT(speedLimit);
 

@@ -26,6 +26,14 @@ const Effect torqueLimit{
                 .high = 0.3,
                 .growth = DrawRange::Growth::factor},
     .perJointFit = {.rank = 80},
+    .planting = {.rank = 9,
+                 .possible = hasLinearServo,
+                 .apply =
+                     [](const ModelAndRuns& data, const Place& place, double value) {
+                       changeServo(
+                           data, place, [value](Mechanism::Joint& joint) { joint.maxTorque /= value; },
+                           [value](ServoOverride& servo) { divide(servo.maxTorque, value); });
+                     }},
 };
 MAKE_EFFECT(torqueLimit);
 

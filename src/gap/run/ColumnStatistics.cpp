@@ -4,16 +4,10 @@
 #include <cmath>
 #include <cstdio>
 #include <limits>
+#include <utility>
 
 namespace plumbline::gap {
 namespace {
-
-double median(std::vector<double>& values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
 
 Likeness likeness(const std::vector<double>& a, const std::vector<double>& b) {
   Likeness result;
@@ -82,10 +76,17 @@ double fastest(const std::vector<double>& t, const std::vector<double>& column, 
   return most;
 }
 
+double median(std::vector<double> values) {
+  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
 double medianStep(const std::vector<double>& t) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < t.size(); ++i) steps.push_back(t[i] - t[i - 1]);
-  return median(steps);
+  return median(std::move(steps));
 }
 
 double medianLength(const std::vector<double>& x, const std::vector<double>& y,
@@ -95,7 +96,7 @@ double medianLength(const std::vector<double>& x, const std::vector<double>& y,
     const double length = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
     if (!std::isnan(length)) lengths.push_back(length);
   }
-  return median(lengths);
+  return median(std::move(lengths));
 }
 
 double medianSum(const std::vector<const std::vector<double>*>& columns) {
@@ -105,7 +106,7 @@ double medianSum(const std::vector<const std::vector<double>*>& columns) {
     for (const auto* column : columns) sum += (*column)[i];
     if (!std::isnan(sum)) sums.push_back(sum);
   }
-  return median(sums);
+  return median(std::move(sums));
 }
 
 Likeness likenessOf(const std::vector<double>& a, const std::vector<double>& b,

@@ -17,6 +17,8 @@ Extremes extremesOf(const std::vector<double>& column);
 /// Share of the samples that are lost, 0..1.
 double lostShare(const std::vector<double>& column);
 /// Median of the differences of neighbours.
+/// The upper one of two middle values; NaN without values.
+double median(std::vector<double> values);
 double medianStep(const std::vector<double>& t);
 /// Median of the length of (x, y, z); NaN where there is no whole one.
 double medianLength(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z);

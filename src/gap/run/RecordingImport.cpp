@@ -87,12 +87,10 @@ void RecordingImport::takeTime(ImportedRun& result) {
   }
   double factor = part_.timeFactor;
   if (!part_.timeUnitStated && !isBag_) {
-    const auto middle = steps.begin() + static_cast<std::ptrdiff_t>(steps.size() / 2);
-    std::nth_element(steps.begin(), middle, steps.end());
     const Mechanism* robot = map_.head.rateHz > 0 ? nullptr : robot_();
     const double rate = map_.head.rateHz > 0 ? map_.head.rateHz : robot ? robot->controlHz : 100;
     try {
-      const GuessedUnit guess = guessTimeUnit(*middle, rate);
+      const GuessedUnit guess = guessTimeUnit(median(std::move(steps)), rate);
       factor = *importUnit(guess.unit);
       result.guesses.push_back(recording_ + ": " + name + " is taken as " + guess.unit + ": " + guess.why);
     } catch (const UnclearUnit& unclear) {

@@ -1,6 +1,7 @@
 #include "gap/run/RunImport.h"
 
 #include <cmath>
+#include <optional>
 
 #include "gap/run/ColumnStatistics.h"
 #include "gap/run/ImportMap.h"
@@ -25,28 +26,23 @@ class RobotOfMap {
 public:
   RobotOfMap(const ImportOptions& options, const ImportMap& map) : options_(options), map_(map) {}
 
+  /// Null if the robot is not known; what needs it asks for --robot.
   const Mechanism* find() {
-    if (looked_) return found_ ? &robot_ : nullptr;
-    looked_ = true;
-    if (!options_.robot.empty()) {
-      robot_ = namedMechanism(options_.robot);
-      found_ = true;
-      return &robot_;
+    if (!looked_) {
+      looked_ = true;
+      if (!options_.robot.empty())
+        robot_ = namedMechanism(options_.robot);
+      else if (isKnownMechanism(map_.head.robot))
+        robot_ = findMechanism(map_.head.robot);
     }
-    try {
-      robot_ = findMechanism(map_.head.robot);
-      found_ = true;
-    } catch (const MechanismError&) {
-      // What needs it asks for --robot.
-    }
-    return found_ ? &robot_ : nullptr;
+    return robot_ ? &*robot_ : nullptr;
   }
 
 private:
   const ImportOptions& options_;
   const ImportMap& map_;
-  bool looked_ = false, found_ = false;
-  Mechanism robot_;
+  bool looked_ = false;
+  std::optional<Mechanism> robot_;
 };
 
 }  // namespace

@@ -25,13 +25,6 @@ std::string seconds(double x) {
 
 std::string milliseconds(double x) { return shownNumber(std::round(1e5 * x) / 1e2) + " ms"; }
 
-double medianOf(std::vector<double> x) {
-  if (x.empty()) return 0;
-  const auto middle = x.begin() + static_cast<std::ptrdiff_t>(x.size() / 2);
-  std::nth_element(x.begin(), middle, x.end());
-  return *middle;
-}
-
 double farthest(const std::vector<double>& x, double from) {
   double most = 0;
   for (const double v : x) most = std::max(most, std::abs(v - from));
@@ -173,7 +166,7 @@ private:
     if (next < one.t.size()) said += "; behind the last row: " + std::to_string(one.t.size() - next);
     if (const double gone = result_.t.back() - one.t.back(); gone > 1 && !options_.linearCommands)
       said += "; the last is held for " + seconds(gone) + " s";
-    const double shift = medianOf(late), most = farthest(late, shift);
+    const double shift = late.empty() ? 0 : median(late), most = farthest(late, shift);
     if (!options_.linearCommands && !options_.timingStated && std::abs(shift) > shortest) {
       for (const std::string& name : names)
         if (const ChannelName channel = *parseChannel(name); channel.kind != ChannelKind::stiffness)
@@ -211,7 +204,7 @@ private:
       std::vector<double>& values = result_.channels[name];
       for (const std::size_t k : partner) values.push_back(k < one.t.size() ? column[k] : noValue);
     }
-    const double constant = shift != 0 ? medianOf(apart) : 0;
+    const double constant = shift != 0 ? median(apart) : 0;
     if (constant != 0)
       for (const std::string& name : names) {
         const ChannelName channel = *parseChannel(name);

@@ -47,10 +47,7 @@ double medianSize(const Raws& channels) {
   for (const Raw& raw : channels)
     for (const double x : *raw.values)
       if (!std::isnan(x)) sizes.push_back(std::abs(raw.factor * x));
-  if (sizes.empty()) return 0;
-  const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
-  std::nth_element(sizes.begin(), middle, sizes.end());
-  return *middle;
+  return sizes.empty() ? 0 : median(std::move(sizes));
 }
 
 /// How a group of channels fits its joints' limits in a unit.

@@ -160,7 +160,9 @@ void run() {
                 1e3 * differenceOf(nominal, std::vector<double>(nominal.size(), 0)));
     for (const Finding& f : before.diagnosis.findings)
       std::printf("  %s (%.2f)\n", describe(f.cause).c_str(), f.probability);
-    const std::vector<Cause> plants = gap::plantsFor(base, kinds);
+    std::vector<Cause> plants;
+    for (const std::string_view kind : kinds)
+      for (const Cause& cause : gap::plantsFor(base, *gap::findEffect(kind))) plants.push_back(cause);
     for (int made = 0, tried = 0; made < cases && tried < 20 * cases; ++tried) {
       Cause cause = plants[static_cast<std::size_t>(random.uniform() * static_cast<double>(plants.size()))];
       const double ratio = std::exp(random.uniform(std::log(1.0), std::log(6.0)));

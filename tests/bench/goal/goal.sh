@@ -1,10 +1,9 @@
 #!/usr/bin/env bash
 # What `make run` plays, one robot alone on the embedded simulator until it scores, for many seeds and each robot type: how long
 # until the goal, how often there is one and how often the robot falls. The same again with kickRight as the only kick, which was
-# made by hand. BEFORE, the folder of an earlier state that is built (bin
-# and config), plays the same seeds; BEFORE_NAME says what it is. Without it its runs come from before.tsv beside this script, so
-# that the page keeps them; those of a new BEFORE are in build/bench/goal.work/before.tsv. Other settings by the environment: SEEDS
-# of each type [25], SEED of the first [1], TYPES ["0 1 2 3 4"], LIMIT in simulated seconds [300], JOBS at once [cores]. Writes
+# made by hand. BEFORE, the folder of an earlier state that is built (bin and config), plays the same seeds; BEFORE_NAME says what it
+# is. Without it its runs come from before.tsv next to this script, so that the page keeps them; those of a new BEFORE are in
+# build/bench/goal.work/before.tsv. Other settings by the environment: SEEDS of each type [25], SEED of the first [1], TYPES ["0 1 2 3 4"], LIMIT in simulated seconds [300], JOBS at once [cores]. Writes
 # build/bench/goal.json, goal.md and goal.svg. `make bench-goal` builds what it needs and writes doc/results/goal.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
@@ -21,7 +20,7 @@ mkdir -p "$work"
 # One run as a line "type seed goal time falls". A run that did not come to its end is none, and ends all.
 one() { # folder of the state, configuration of the agent or nothing, type, seed
   local folder status=0
-  folder=$(mktemp -d "$work/run.XXXXXX")
+  folder=$(mktemp -d -p "$work")
   "$1/bin/game" ${2:+--agent-option=--config "--agent-option=$2"} --type "$3" --seed "$4" --limit "$limit" --output "$folder" > "$folder.log" 2>&1 || status=$?
   if ((status > 1)) || [[ ! -s $folder/summary.json ]]; then
     echo "goal.sh: type $3, seed $4: $(tail -1 "$folder.log")" >&2
