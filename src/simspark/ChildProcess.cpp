@@ -145,15 +145,15 @@ void ChildProcess::signalGroup(int signal) {
   if (running()) kill(-pid_, signal);
 }
 
-void ChildProcess::tell(int signal) { kill(wholeGroup_ ? -pid_ : pid_, signal); }
+void ChildProcess::sendSignal(int signal) { kill(wholeGroup_ ? -pid_ : pid_, signal); }
 
 void ChildProcess::stop(double patienceSeconds) {
   if (!running()) return;
-  tell(SIGTERM);
+  sendSignal(SIGTERM);
   const int tries = static_cast<int>(patienceSeconds / 0.005);
   for (int i = 0; i < tries && running(); ++i) usleep(5000);
   if (!running()) return;
-  tell(SIGKILL);
+  sendSignal(SIGKILL);
   reap(0);
 }
 
