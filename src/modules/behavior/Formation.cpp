@@ -23,6 +23,7 @@ void Formation::init() {
   table_ = FormationTable(config.file("formation"));
   pieces_ = SetPieces(config);
   piece_ = nullptr;
+  side_ = {};
 }
 
 double Formation::timeOf(const TeamBelief& said) const {
@@ -103,10 +104,12 @@ Vec2 Formation::keptOff(const Vec2& place) const {
 const SetPiece* Formation::setPiece() {
   if (const SetPiece* now = pieces_.of(theGameState->playMode)) {
     piece_ = now;
+    onRight_ = side_.onRight(now, ball_);
     pieceSeen_ = theFrameInfo->time;
   } else if (piece_ && (theGameState->playMode != PlayMode::playOn || theFrameInfo->restarted ||
                         theFrameInfo->time - pieceSeen_ > piece_->lasts)) {
     piece_ = nullptr;
+    side_ = {};
   }
   return piece_;
 }
@@ -128,12 +131,19 @@ std::vector<Vec2> Formation::places() {
   for (int i = 0; i < table_.size(); ++i) {
     const auto place = static_cast<std::size_t>(i);
     places.push_back(keptOff(piece && place < piece->places.size()
-                                 ? piece->places[place].at(ball, theFieldDimensions->length / 2)
+                                 ? piece->places[place].at(ball, theFieldDimensions->length / 2, onRight_)
                                  : table_.at(i, ball)));
   }
   if (!piece) block(places);
   return places;
 }
+
+Pose2 Formation::facingBall(const Vec2& place) const {
+  const Vec2 toBall = ball_ - place;
+  return Pose2(place, std::atan2(toBall.y(), toBall.x()));
+}
+
+void Formation::update(TeamPlaces* theTeamPlaces) { theTeamPlaces->players = placed_; }
 
 void Formation::update(PlayerRole* thePlayerRole) {
   PlayerRole& role = *thePlayerRole;
@@ -157,10 +167,18 @@ void Formation::update(PlayerRole* thePlayerRole) {
   role.strikerNumber = made.strikerNumber;
   for (std::size_t i = 0; i < team.size(); ++i)
     if (team[i].number == thePlayerInfo->number) role.role = made.roles[i];
-  if (role.supports()) {
-    const Vec2 place = all[static_cast<std::size_t>(role.role - PlayerRole::supporter)];
-    const Vec2 toBall = ball_ - place;
-    role.place = Pose2(place, std::atan2(toBall.y(), toBall.x()));
+  if (role.supports())
+    role.place = facingBall(all[static_cast<std::size_t>(role.role - PlayerRole::supporter)]);
+  placed_.clear();
+  for (std::size_t i = 0; i < team.size(); ++i) {
+    if (!theTeamRobotPose->of(team[i].number)) continue;  // only seen: its heading is not known
+    PlacedPlayer player;
+    player.number = team[i].number;
+    player.heading = team[i].pose.heading;
+    const int place = made.roles[i] - PlayerRole::supporter;
+    player.placed = place >= 0;
+    if (player.placed) player.place = facingBall(all[static_cast<std::size_t>(place)]);
+    placed_.push_back(player);
   }
   DEBUG_DRAWING("draw:team:role", drawRole(drawing, theRobotPose->pose.position, thePlayerInfo->number,
                                            role.role, ball_, all, colours::white));
