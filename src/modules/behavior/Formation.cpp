@@ -13,10 +13,11 @@ namespace plumbline {
 MAKE_MODULE(Formation)
 
 namespace {
-constexpr double rounding = 1;      ///< of times that are said [s]: from never less this on means never
-constexpr double kickedAway = 1;    ///< words of a ball that rests farther off are old [m]
-constexpr double touchReach = 0.4;  ///< a robot this near has touched the ball [m]
-constexpr double inField = 0.4;     ///< places stay this far inside the lines [m]
+constexpr double rounding = 1;       ///< of times that are said [s]: from never less this on means never
+constexpr double kickedAway = 1;     ///< words of a ball that rests farther off are old [m]
+constexpr double touchReach = 0.4;   ///< a robot this near has touched the ball [m]
+constexpr double wordSeconds = 0.3;  ///< within which the referee's word follows a kick [s]
+constexpr double inField = 0.4;      ///< places stay this far inside the lines [m]
 }  // namespace
 
 void Formation::init() {
@@ -58,8 +59,12 @@ void Formation::watchRestart(PlayerRole& role) {
   const PlayMode mode = theGameState->playMode;
   const double now = theFrameInfo->time;
   const bool near = theBallPos->valid && theBallPos->relative.norm() < kickReach;
-  if (theFrameInfo->restarted) takenAt_ = -1;
-  if (isOwnRestart(modeBefore_) && mode == PlayMode::playOn && near && role.members > 1) takenAt_ = now;
+  if (theFrameInfo->restarted) takenAt_ = nearAt_ = -1;
+  // A hard kick is out of reach before the referee's word comes.
+  if (mode != modeBefore_ && isOwnRestart(mode)) nearAt_ = -1;
+  if (near && (isOwnRestart(mode) || isOwnRestart(modeBefore_))) nearAt_ = now;
+  const bool takes = nearAt_ >= 0 && now - nearAt_ < wordSeconds;
+  if (isOwnRestart(modeBefore_) && mode == PlayMode::playOn && takes && role.members > 1) takenAt_ = now;
   modeBefore_ = mode;
   if (takenAt_ < 0) return;
   const bool touched = std::ranges::any_of(theOtherRobots->robots, [&](const OtherRobot& robot) {

@@ -77,6 +77,7 @@ private:
   bool onRight_ = false;  ///< the piece's places are mirrored
   double pieceSeen_ = 0;  ///< its mode was the referee's last [s]
   PlayMode modeBefore_ = PlayMode::unknown;
+  double nearAt_ = -1;   ///< when the ball was in reach last in an own restart; negative: never [s]
   double takenAt_ = -1;  ///< when this player took a restart; negative: it did not [s]
 };
 

@@ -193,6 +193,18 @@ TEST_F(FormationTest, whoTookARestartWaitsUntilAnotherOneTouchesTheBall) {
   EXPECT_TRUE(role().mayTouchBall);
 }
 
+TEST_F(FormationTest, whoTookARestartKnowsItThoughTheBallIsAwayWhenPlayIsOn) {
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
+  harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
+  ballAt({0, 0});
+  harness.input<GameState>().playMode = PlayMode::kickOffOwn;
+  role();
+  ballAt({0.9, 0});  // a hard kick, seen before the play mode
+  role();
+  harness.input<GameState>().playMode = PlayMode::playOn;
+  EXPECT_FALSE(role().mayTouchBall);
+}
+
 TEST_F(FormationTest, waitsForNoTouchLongerThanItMust) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
   harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
