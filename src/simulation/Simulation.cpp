@@ -6,7 +6,6 @@
 #include "math/Angle.h"
 #include "simulation/Trainer.h"
 #include "simulation/league/MakeWorld.h"
-#include "simulation/referee/rules/LostMessages.h"
 
 namespace plumbline::simulation {
 
@@ -175,7 +174,7 @@ void Simulation::say(const Player& speaker, const std::string& text) {
     }
     Vec3 way = from - world_->torso(listener->robot).pose.translation();
     if (way.norm() > hearingRange) continue;
-    if (LostMessages::isLost(rules().of<LostMessages>(), config_.seed, cycles_, speaker.id(), id)) continue;
+    if (referee_->loses({config_.seed, cycles_, speaker.id(), id})) continue;
     if (listener->side == TeamSide::right) way = Vec3(-way.x(), -way.y(), way.z());
     listener->hearing.hear(text, team, std::atan2(way.y(), way.x()), listener->side == speaker.side);
   }

@@ -23,9 +23,9 @@ MODULE(BeforeKickOff)
             Range(-100, 100), "see x")
   PARAMETER(std::vector<double>, heading, (std::vector<double>(11, 0.0)), "rad", Range(-6.3, 6.3), "see x")
   PARAMETER(std::vector<double>, teamX,
-            (std::vector<double>{-14.4, -0.4, -7.5, -0.6, -0.8, -5, -5, -1.2, -1.2, -9, -9}), "m",
+            (std::vector<double>{-14.4, -0.2, -7.5, -0.6, -3.8, -5, -5, -1.2, -1.2, -9, -9}), "m",
             Range(-100, 0), "the same in a team; the second one kicks off")
-  PARAMETER(std::vector<double>, teamY, (std::vector<double>{0, 0, 0.9, 2.6, -3.6, 2, -2, 7, -7, 2.5, -2.5}),
+  PARAMETER(std::vector<double>, teamY, (std::vector<double>{0, 0.4, 0.9, 2.6, -4, 2, -2, 7, -7, 2.5, -2.5}),
             "m", Range(-100, 100), "see teamX")
   PARAMETER(double, ringDistance, 2.4, "m", Range(0, 10),
             "kept from the middle before a kick-off of the opponents")

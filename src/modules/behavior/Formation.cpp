@@ -13,16 +13,18 @@ namespace plumbline {
 MAKE_MODULE(Formation)
 
 namespace {
-constexpr double rounding = 1;      ///< of times that are said [s]: from never less this on means never
-constexpr double kickedAway = 1;    ///< words of a ball that rests farther off are old [m]
-constexpr double touchReach = 0.4;  ///< a robot this near has touched the ball [m]
-constexpr double inField = 0.4;     ///< places stay this far inside the lines [m]
+constexpr double rounding = 1;       ///< of times that are said [s]: from never less this on means never
+constexpr double kickedAway = 1;     ///< words of a ball that rests farther off are old [m]
+constexpr double touchReach = 0.4;   ///< a robot this near has touched the ball [m]
+constexpr double wordSeconds = 0.3;  ///< within which the referee's word follows a kick [s]
+constexpr double inField = 0.4;      ///< places stay this far inside the lines [m]
 }  // namespace
 
 void Formation::init() {
   table_ = FormationTable(config.file("formation"));
   pieces_ = SetPieces(config);
   piece_ = nullptr;
+  side_ = {};
 }
 
 double Formation::timeOf(const TeamBelief& said) const {
@@ -57,8 +59,12 @@ void Formation::watchRestart(PlayerRole& role) {
   const PlayMode mode = theGameState->playMode;
   const double now = theFrameInfo->time;
   const bool near = theBallPos->valid && theBallPos->relative.norm() < kickReach;
-  if (theFrameInfo->restarted) takenAt_ = -1;
-  if (isOwnRestart(modeBefore_) && mode == PlayMode::playOn && near && role.members > 1) takenAt_ = now;
+  if (theFrameInfo->restarted) takenAt_ = nearAt_ = -1;
+  // A hard kick is out of reach before the referee's word comes.
+  if (mode != modeBefore_ && isOwnRestart(mode)) nearAt_ = -1;
+  if (near && (isOwnRestart(mode) || isOwnRestart(modeBefore_))) nearAt_ = now;
+  const bool takes = nearAt_ >= 0 && now - nearAt_ < wordSeconds;
+  if (isOwnRestart(modeBefore_) && mode == PlayMode::playOn && takes && role.members > 1) takenAt_ = now;
   modeBefore_ = mode;
   if (takenAt_ < 0) return;
   const bool touched = std::ranges::any_of(theOtherRobots->robots, [&](const OtherRobot& robot) {
@@ -103,10 +109,12 @@ Vec2 Formation::keptOff(const Vec2& place) const {
 const SetPiece* Formation::setPiece() {
   if (const SetPiece* now = pieces_.of(theGameState->playMode)) {
     piece_ = now;
+    onRight_ = side_.onRight(now, ball_);
     pieceSeen_ = theFrameInfo->time;
   } else if (piece_ && (theGameState->playMode != PlayMode::playOn || theFrameInfo->restarted ||
                         theFrameInfo->time - pieceSeen_ > piece_->lasts)) {
     piece_ = nullptr;
+    side_ = {};
   }
   return piece_;
 }
@@ -128,12 +136,19 @@ std::vector<Vec2> Formation::places() {
   for (int i = 0; i < table_.size(); ++i) {
     const auto place = static_cast<std::size_t>(i);
     places.push_back(keptOff(piece && place < piece->places.size()
-                                 ? piece->places[place].at(ball, theFieldDimensions->length / 2)
+                                 ? piece->places[place].at(ball, theFieldDimensions->length / 2, onRight_)
                                  : table_.at(i, ball)));
   }
   if (!piece) block(places);
   return places;
 }
+
+Pose2 Formation::facingBall(const Vec2& place) const {
+  const Vec2 toBall = ball_ - place;
+  return Pose2(place, std::atan2(toBall.y(), toBall.x()));
+}
+
+void Formation::update(TeamPlaces* theTeamPlaces) { theTeamPlaces->players = placed_; }
 
 void Formation::update(PlayerRole* thePlayerRole) {
   PlayerRole& role = *thePlayerRole;
@@ -157,10 +172,18 @@ void Formation::update(PlayerRole* thePlayerRole) {
   role.strikerNumber = made.strikerNumber;
   for (std::size_t i = 0; i < team.size(); ++i)
     if (team[i].number == thePlayerInfo->number) role.role = made.roles[i];
-  if (role.supports()) {
-    const Vec2 place = all[static_cast<std::size_t>(role.role - PlayerRole::supporter)];
-    const Vec2 toBall = ball_ - place;
-    role.place = Pose2(place, std::atan2(toBall.y(), toBall.x()));
+  if (role.supports())
+    role.place = facingBall(all[static_cast<std::size_t>(role.role - PlayerRole::supporter)]);
+  placed_.clear();
+  for (std::size_t i = 0; i < team.size(); ++i) {
+    if (!theTeamRobotPose->of(team[i].number)) continue;  // only seen: its heading is not known
+    PlacedPlayer player;
+    player.number = team[i].number;
+    player.heading = team[i].pose.heading;
+    const int place = made.roles[i] - PlayerRole::supporter;
+    player.placed = place >= 0;
+    if (player.placed) player.place = facingBall(all[static_cast<std::size_t>(place)]);
+    placed_.push_back(player);
   }
   DEBUG_DRAWING("draw:team:role", drawRole(drawing, theRobotPose->pose.position, thePlayerInfo->number,
                                            role.role, ball_, all, colours::white));

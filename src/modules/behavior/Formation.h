@@ -7,6 +7,7 @@
 #include "modules/behavior/setpiece/SetPieces.h"
 #include "representations/behavior/BlockPosition.h"
 #include "representations/behavior/PlayerRole.h"
+#include "representations/behavior/TeamPlaces.h"
 #include "representations/communication/TeamReports.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/FrameInfo.h"
@@ -31,6 +32,7 @@ MODULE(Formation)
   REQUIRES(TeamRobotPose)
   REQUIRES_IF_PROVIDED(BlockPosition)
   PROVIDES(PlayerRole)
+  PROVIDES(TeamPlaces)
   PARAMETER_GROUP(TeamPlanParameters, plan, "who does what")
   PARAMETER_GROUP(TimeToBallParameters, time, "time to the ball")
   PARAMETER(double, seenSeconds, 3, "s", Range(0.1, 60),
@@ -52,6 +54,7 @@ class Formation : public FormationBase {
 public:
   void init() override;
   void update(PlayerRole* thePlayerRole) override;
+  void update(TeamPlaces* theTeamPlaces) override;
 
 private:
   std::vector<TeamMember> members(const PlayerRole& before) const;
@@ -63,13 +66,18 @@ private:
   const SetPiece* setPiece();
   std::vector<Vec2> places();
   void block(std::vector<Vec2>& places) const;
+  Pose2 facingBall(const Vec2& place) const;
 
   FormationTable table_;
-  Vec2 ball_ = Vec2::Zero();  ///< where the ball will rest, field
+  std::vector<PlacedPlayer> placed_;  ///< of this cycle
+  Vec2 ball_ = Vec2::Zero();          ///< where the ball will rest, field
   SetPieces pieces_;
   const SetPiece* piece_ = nullptr;  ///< the one whose places hold
-  double pieceSeen_ = 0;             ///< its mode was the referee's last [s]
+  SetPieceSide side_;
+  bool onRight_ = false;  ///< the piece's places are mirrored
+  double pieceSeen_ = 0;  ///< its mode was the referee's last [s]
   PlayMode modeBefore_ = PlayMode::unknown;
+  double nearAt_ = -1;   ///< when the ball was in reach last in an own restart; negative: never [s]
   double takenAt_ = -1;  ///< when this player took a restart; negative: it did not [s]
 };
 

@@ -29,6 +29,10 @@ void SetPieceTaker::init() {
   chosen_ = nullptr;
 }
 
+Vec2 SetPieceTaker::at(const SetPiecePlace& place) const {
+  return place.at(theBallPos->field, theFieldDimensions->length / 2, onRight_);
+}
+
 /// How free the ball's way is, less what keeps mates from its end [m].
 double SetPieceTaker::worth(const Vec2& end) const {
   double clear = enough, mate = farMate;
@@ -43,14 +47,11 @@ double SetPieceTaker::worth(const Vec2& end) const {
 }
 
 const SetPiecePlace* SetPieceTaker::chooseKick(const SetPiece& piece) {
-  const auto at = [&](const SetPiecePlace& place) {
-    return worth(place.at(theBallPos->field, theFieldDimensions->length / 2));
-  };
   const bool known = std::ranges::any_of(piece.kick, [&](const auto& place) { return &place == chosen_; });
   const SetPiecePlace* best = known ? chosen_ : nullptr;
-  double most = best ? at(*best) + stays : 0;
+  double most = best ? worth(at(*best)) + stays : 0;
   for (const SetPiecePlace& place : piece.kick)
-    if (const double value = at(place); !best || value > most) {
+    if (const double value = worth(at(place)); !best || value > most) {
       best = &place;
       most = value;
     }
@@ -67,7 +68,7 @@ void SetPieceTaker::draw(const SetPiece& piece, const Vec2& target) const {
     drawing.circle(own, 0.3, colours::orange, 3);
     drawing.text(own, piece.name, colours::orange);
     for (std::size_t i = 0; i < piece.kick.size() && i < most; ++i) {
-      const Vec2 end = piece.kick[i].at(ball, theFieldDimensions->length / 2);
+      const Vec2 end = at(piece.kick[i]);
       drawing.point(end, colours::orange, 6);
       drawing.text(end, fmt::format("{:.1f}", worth(end)), colours::orange);
     }
@@ -87,18 +88,20 @@ void SetPieceTaker::update(SetPieceOutput* theSetPieceOutput) {
                   theRobotPose->valid && theBallPos->valid && theBallPos->age <= ballMaxAge;
   if (!output.active) {
     chosen_ = nullptr;
+    side_ = {};
     return;
   }
   const Vec2& ball = theBallPos->field;
+  onRight_ = side_.onRight(piece, ball);
   if (!piece->kick.empty()) {
     chosen_ = chooseKick(*piece);
     output.skill = Skill::kick;
     output.tolerance = tolerance;
-    output.target = Pose2(chosen_->at(ball, theFieldDimensions->length / 2));
+    output.target = Pose2(at(*chosen_));
     draw(*piece, output.target.position);
     return;
   }
-  const Vec2 place = piece->stand->at(ball, theFieldDimensions->length / 2);
+  const Vec2 place = at(*piece->stand);
   const Vec2 toBall = ball - place;
   output.skill = Skill::moveToPos;
   output.target = Pose2(place, std::atan2(toBall.y(), toBall.x()));

@@ -37,11 +37,14 @@ public:
   void update(SetPieceOutput* theSetPieceOutput) override;
 
 private:
+  Vec2 at(const SetPiecePlace& place) const;
   double worth(const Vec2& end) const;
   const SetPiecePlace* chooseKick(const SetPiece& piece);
   void draw(const SetPiece& piece, const Vec2& target) const;
 
   SetPieces pieces_;
+  SetPieceSide side_;
+  bool onRight_ = false;  ///< of the field
   const SetPiecePlace* chosen_ = nullptr;
 };
 

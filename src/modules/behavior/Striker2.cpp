@@ -50,6 +50,7 @@ StrikerSituation Striker2::situation() const {
   situation.goalHeight = theFieldDimensions->goalHeight;
   situation.ballRadius = theFieldDimensions->ballRadius;
   if (theOtherRobots) situation.others = theOtherRobots->robots;
+  if (theTeamPlaces) situation.places = *theTeamPlaces;
   if (theGameState->playMode == PlayMode::passOwn)
     situation.freeSeconds = std::max(0.0, passSeconds - (theGameState->time - passSince_));
   situation.opponentSpeed = theOppInfo ? theOppInfo->walkSpeed : time.walkSpeed;

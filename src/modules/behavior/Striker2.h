@@ -6,6 +6,7 @@
 #include "representations/behavior/PlayerRole.h"
 #include "representations/behavior/StrikerDecision.h"
 #include "representations/behavior/StrikerOutput.h"
+#include "representations/behavior/TeamPlaces.h"
 #include "representations/infrastructure/FieldDimensions.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameState.h"
@@ -28,6 +29,7 @@ MODULE(Striker2)
   REQUIRES_IF_PROVIDED(OtherRobots)
   REQUIRES_IF_PROVIDED(OppInfo)
   REQUIRES_IF_PROVIDED(PlayerRole)
+  REQUIRES_IF_PROVIDED(TeamPlaces)
   PROVIDES(StrikerOutput)
   PROVIDES(StrikerDecision)
   PARAMETER(bool, kickAllowed, true, "", Range(), "false: the robot only dribbles")

@@ -101,4 +101,8 @@ void Referee::askForPass(Game& game, World& world, int playerId) {
       for (const auto& rule : inOrder_) rule->passAsked(match, player);
 }
 
+bool Referee::loses(const Words& words) const {
+  return std::ranges::any_of(inOrder_, [&](const auto& rule) { return rule->loses(rules_, words); });
+}
+
 }  // namespace plumbline::simulation

@@ -32,6 +32,9 @@ public:
   /// A player requests pass mode.
   void askForPass(Game& game, World& world, int playerId);
 
+  /// Whether a player's words do not reach another one, by any rule.
+  bool loses(const Words& words) const;
+
   const Rules& rules() const { return rules_; }
 
 private:

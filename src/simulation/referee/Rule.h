@@ -1,9 +1,17 @@
 #pragma once
+#include <cstdint>
+
 #include "parameters/Parameter.h"
 #include "simulation/referee/Match.h"
 #include "simulation/referee/RuleRegistry.h"
 
 namespace plumbline::simulation {
+
+/// Something that a player says, and one of those who may hear it.
+struct Words {
+  std::uint64_t seed = 0, cycle = 0;  ///< of the simulation
+  int speaker = 0, listener = 0;      ///< ids of the players
+};
 
 /// A rule of the game. Its own file makes it known by MAKE_RULE and declares its parameters; nothing else
 /// lists it. A referee has one object of each rule and calls it in every cycle, in this order of steps; in
@@ -33,6 +41,8 @@ public:
   virtual void end(Match&) {}
   /// A player requests pass mode.
   virtual void passAsked(Match&, const Participant&) {}
+  /// A player speaks: whether another one does not hear it. In any order, so it depends on nothing else.
+  virtual bool loses(const Rules&, const Words&) const { return false; }
 };
 
 }  // namespace plumbline::simulation

@@ -71,11 +71,16 @@ public:
       result_.theirs = !result_.ours;
     }
     if (scene.time - kicked_ <= SetPieceGame::gainAfter) result_.gain = scene.ball.x() - from_;
+    if (last && scene.time - kicked_ <= SetPieceGame::keptAfter) result_.kept = last->side == TeamSide::left;
   }
   void kick(double time, double from) {
     result_.taken = true;
     kicked_ = time;
     from_ = from;
+  }
+  /// The ball goes out of play; whose the restart is.
+  void out(double time, bool ours) {
+    if (time - kicked_ <= SetPieceGame::keptAfter) result_.kept = ours;
   }
   bool isOver(double time) const { return time - kicked_ > SetPieceGame::longest; }
 
@@ -176,7 +181,13 @@ SetPieceResult SetPieceGame::play(SetPieceKind kind, std::uint64_t seed) {
     result.goal = scene.scoreLeft > left;
     result.against = scene.scoreRight > right;
     result.doubleTouch = scene.playMode == playModeName(PlayMode::freeKickRight);
-    if (result.goal || result.against || !goesOn(scene.playMode) || play.isOver(scene.time)) return result;
+    const bool over = play.isOver(scene.time);
+    if (!result.goal && !result.against && goesOn(scene.playMode) && !over) continue;
+    // A ball that went out is the other team's that brings it in.
+    if (!over && !goesOn(scene.playMode) && !scene.playMode.starts_with("Goal_"))
+      play.out(scene.time, scene.playMode.ends_with("_Left"));
+    if (result.goal) result.kept = true;
+    return result;
   }
 }
 

@@ -28,14 +28,16 @@ struct SetPieceResult {
   bool ours = false;    ///< another player of the team has the next touch
   bool theirs = false;  ///< an opponent has
   double gain = 0;      ///< of the ball towards the other goal, so long after the kick as `gainAfter` [m]
+  bool kept = false;    ///< the team has the last touch, so long after the kick as `keptAfter`, or scored
   bool goal = false, against = false, doubleTouch = false;
 };
 
 /// Two teams on a simulator of their own; the left one has the set pieces.
 class SetPieceGame {
 public:
-  static constexpr double longest = 20;   ///< after the kick [s]
-  static constexpr double gainAfter = 5;  ///< [s]
+  static constexpr double longest = 20;    ///< after the kick [s]
+  static constexpr double gainAfter = 5;   ///< [s]
+  static constexpr double keptAfter = 10;  ///< [s]
 
   SetPieceGame(const SetPieceOptions& options, std::uint64_t seed);
   /// Places by lot; until a goal, until the ball is out of play, or the time is up. Throws
@@ -50,7 +52,7 @@ private:
   TrainedGame game_;
 };
 
-/// Plays TRIES set pieces of each kind and writes build/bench/set-pieces.json and .md.
+/// Plays TRIES set pieces of each kind, or of those of KINDS, and writes build/bench/set-pieces.json and .md.
 void measureSetPieces();
 
 }  // namespace plumbline::bench

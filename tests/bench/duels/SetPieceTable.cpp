@@ -5,6 +5,7 @@
 #include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -49,7 +50,22 @@ const char* const text =
     "A trainer's messages reach the simulator at any cycle, so the same seeds do not repeat a piece.\n\n"
     "| | taken before the drop ball | after [s] | next touch: a mate's | an opponent's | ball gained in "
     "{:.0f} s "
-    "[m] | goals | goals against | free kick for double touch |\n|---|---|---|---|---|---|---|---|---|\n";
+    "[m] | ball kept for {:.0f} s | goals | goals against | free kick for double touch |\n"
+    "|---|---|---|---|---|---|---|---|---|---|\n";
+
+/// Those named, separated by commas; all if none is. Throws std::runtime_error.
+std::vector<SetPieceKind> kindsOf(const std::string& names) {
+  std::vector<SetPieceKind> kinds;
+  std::istringstream words(names);
+  for (std::string word; std::getline(words, word, ',');) {
+    const auto at = std::ranges::find(setPieceNames, word);
+    if (at == setPieceNames.end()) throw std::runtime_error("KINDS has \"" + word + "\", which is none");
+    kinds.push_back(static_cast<SetPieceKind>(at - setPieceNames.begin()));
+  }
+  if (kinds.empty())
+    for (std::size_t i = 0; i < setPieceNames.size(); ++i) kinds.push_back(static_cast<SetPieceKind>(i));
+  return kinds;
+}
 
 std::string row(SetPieceKind kind, const Results& all, nlohmann::json& figures) {
   Results taken;
@@ -71,12 +87,14 @@ std::string row(SetPieceKind kind, const Results& all, nlohmann::json& figures) 
   figure("taken", percent(taken.size(), all.size()), "%", "higher");
   figure("next_touch", percent(count(&SetPieceResult::ours), taken.size()), "%", "higher");
   figure("gain", gain, "m", "higher");
+  figure("kept", percent(count(&SetPieceResult::kept), taken.size()), "%", "higher");
   figure("goals", percent(count(&SetPieceResult::goal), taken.size()), "%", "higher");
-  return fmt::format(
-      "| {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", title,
-      shareOf(static_cast<std::ptrdiff_t>(taken.size()), all.size()), meanOf(taken, &SetPieceResult::seconds),
-      share(&SetPieceResult::ours), share(&SetPieceResult::theirs), meanOf(taken, &SetPieceResult::gain),
-      share(&SetPieceResult::goal), share(&SetPieceResult::against), share(&SetPieceResult::doubleTouch));
+  return fmt::format("| {} | {} | {} | {} | {} | {} | {} | {} | {} | {} |\n", title,
+                     shareOf(static_cast<std::ptrdiff_t>(taken.size()), all.size()),
+                     meanOf(taken, &SetPieceResult::seconds), share(&SetPieceResult::ours),
+                     share(&SetPieceResult::theirs), meanOf(taken, &SetPieceResult::gain),
+                     share(&SetPieceResult::kept), share(&SetPieceResult::goal),
+                     share(&SetPieceResult::against), share(&SetPieceResult::doubleTouch));
 }
 
 }  // namespace
@@ -90,23 +108,24 @@ void measureSetPieces() {
     throw std::runtime_error("TRIES is 1 or more, JOBS is 1 to 64, PLAYERS is 2 to 11");
   const std::string folder = "build/bench/set-pieces", others = environmentText("OTHERS", "");
   std::filesystem::remove_all(folder);
-  constexpr int kinds = setPieceNames.size();
+  const std::vector<SetPieceKind> kinds = kindsOf(environmentText("KINDS", ""));
   const SetPieceOptions options{"bin", others, folder, players};
-  const auto results = playAll<SetPieceGame>(
-      "set-pieces", "pieces", options, kinds * tries, jobs, seed, [&](SetPieceGame& game, int i) {
-        return game.play(static_cast<SetPieceKind>(i / tries), seed + static_cast<std::uint64_t>(i % tries));
-      });
+  const auto results =
+      playAll<SetPieceGame>("set-pieces", "pieces", options, static_cast<int>(kinds.size()) * tries, jobs,
+                            seed, [&](SetPieceGame& game, int i) {
+                              return game.play(kinds[static_cast<std::size_t>(i / tries)],
+                                               seed + static_cast<std::uint64_t>(i % tries));
+                            });
   nlohmann::json figures = nlohmann::json::array();
   std::string page =
       fmt::format(fmt::runtime(text), tries, players, players, seed,
                   others.empty() ? "The other team is the same." : "The other team plays by " + others + ".",
-                  SetPieceGame::longest, SetPieceGame::gainAfter);
-  for (int kind = 0; kind < kinds; ++kind) {
+                  SetPieceGame::longest, SetPieceGame::gainAfter, SetPieceGame::keptAfter);
+  for (const SetPieceKind kind : kinds) {
     Results own;
-    std::ranges::copy_if(results, std::back_inserter(own), [&](const SetPieceResult& result) {
-      return result.kind == static_cast<SetPieceKind>(kind);
-    });
-    page += row(static_cast<SetPieceKind>(kind), own, figures);
+    std::ranges::copy_if(results, std::back_inserter(own),
+                         [kind](const SetPieceResult& result) { return result.kind == kind; });
+    page += row(kind, own, figures);
   }
   page += '\n';
   writeFile(folder + ".json", figures.dump(1) + "\n");

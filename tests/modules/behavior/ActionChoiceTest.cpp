@@ -2,8 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "framework/ConfigFile.h"
-#include "support/Robots.h"
+#include "support/Situation.h"
 
 using namespace plumbline;
 
@@ -239,22 +238,34 @@ TEST_F(ActionChoiceTest, theFallenDoNotPress) {
   EXPECT_GT(all.nearestOpponent(situation.ball), 14);
 }
 
-/// A file with positions and the decision that people expect (tests/data/situations).
+/// A file with positions and the decision that people expect (tests/data/situations). `going`: of each mate,
+/// the place that it goes to and its heading; `velocities`: of each mate.
 class SituationTest : public testing::TestWithParam<const char*> {};
 
+void addMotion(const ConfigSection& root, StrikerSituation& situation) {
+  if (root.has("going"))
+    for (const auto& going : root.get<std::vector<std::array<double, 3>>>("going")) {
+      PlacedPlayer& player = situation.places.players.emplace_back();
+      player.number = situation.others.at(situation.places.players.size() - 1).number;
+      player.heading = going[2];
+      player.placed = true;
+      player.place = Pose2(going[0], going[1], 0);
+    }
+  if (root.has("velocities")) {
+    std::size_t i = 0;
+    for (const auto& velocity : root.get<std::vector<std::array<double, 2>>>("velocities"))
+      situation.others.at(i++).velocity = {velocity[0], velocity[1]};
+  }
+}
+
 TEST_P(SituationTest, isDecidedAsExpected) {
-  const ConfigFile file(std::string("tests/data/situations/") + GetParam() + ".yaml");
+  const ConfigFile file = test::situationFile(GetParam());
   const ConfigSection& root = file.root();
   StrikerSituation situation;
-  const Vec3 robot = root.get<Vec3>("robot");
-  situation.robot = Pose2(robot.x(), robot.y(), robot.z());
+  situation.robot = test::poseOf(root, "robot");
   situation.ball = root.get<Vec2>("ball");
-  for (const bool mate : {true, false})
-    for (const auto& place : root.get<std::vector<std::array<double, 2>>>(mate ? "mates" : "opponents")) {
-      OtherRobot& other = situation.others.emplace_back();
-      other.mate = mate;
-      other.position = {place[0], place[1]};
-    }
+  situation.others = test::othersOf(root);
+  addMotion(root, situation);
   for (const ConfigSection& kick : root.list("kicks"))
     situation.kicks.push_back({.distance = kick.get<double>("reach"),
                                .scatter = fromDegrees(kick.get<double>("scatter")),
@@ -279,7 +290,8 @@ TEST_P(SituationTest, isDecidedAsExpected) {
 
 INSTANTIATE_TEST_SUITE_P(Written, SituationTest,
                          testing::Values("beforeTheEmptyGoal", "freeInMidfield", "highKickBeforeTheGoal",
-                                         "keeperAtThePost", "keeperInTheMiddle", "nearTheSideLine",
+                                         "keeperAtThePost", "keeperInTheMiddle", "mateThatIsSeenWalking",
+                                         "mateThatRunsLeft", "mateThatRunsRight", "nearTheSideLine",
                                          "onTheOwnGoalLine", "opponentAtTheBall", "tooFarToShoot",
                                          "wrongSideUnderPressure"),
                          [](const auto& name) { return std::string(name.param); });

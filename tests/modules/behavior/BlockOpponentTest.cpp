@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/ModuleHarness.h"
-#include "support/Robots.h"
+#include "support/Situation.h"
 
 using namespace plumbline;
 
@@ -15,6 +15,7 @@ struct BlockOpponentTest : testing::Test {
     harness.input<BallPos>().valid = true;
     harness.input<BallPos>().field = {-5, 4};
     harness.input<OtherRobots>();
+    harness.input<OppInfo>();
   }
   OtherRobot& add(bool mate, int number, const Vec2& place) {
     return test::addRobot(harness.input<OtherRobots>().robots, mate, place, number);
@@ -54,10 +55,49 @@ TEST_F(BlockOpponentTest, anOpponentBetweenBallAndGoalIsBlockedOnTheGoalsSide) {
   EXPECT_TRUE(output().position.isApprox(Vec2(-8.9, 0)));
 }
 
+TEST_F(BlockOpponentTest, opponentsThatKickFarPassFarther) {
+  add(false, 9, {-10, -6});  // 11.2 m from the ball
+  harness.input<OppInfo>().kickDistance = 4;
+  EXPECT_FALSE(output().valid);
+  harness.input<OppInfo>().kickDistance = 12;
+  EXPECT_TRUE(output().valid);
+  EXPECT_EQ(output().opponent, 9);
+}
+
+TEST_F(BlockOpponentTest, betweenWaysThatLeadApartItStandsNearerToTheOneToTheGoal) {
+  harness.input<BallPos>().field = {-5, 0};
+  add(false, 9, {-9, 0.5});
+  const Vec2 toGoal = (Vec2(-15, 0) - Vec2(-9, 0.5)).normalized();
+  EXPECT_GT((output().position - Vec2(-9, 0.5)).normalized().dot(toGoal), 0.95);
+}
+
 TEST_F(BlockOpponentTest, withoutABallThereIsNobodyToBlock) {
   add(false, 9, {-9, -2});
   harness.input<BallPos>().valid = false;
   EXPECT_FALSE(output().valid);
 }
+
+/// A file with positions and whom people expect to be blocked, from where (tests/data/situations/block).
+struct BlockSituations : BlockOpponentTest, testing::WithParamInterface<const char*> {};
+
+TEST_P(BlockSituations, areDecidedAsExpected) {
+  const ConfigFile file = test::situationFile(std::string("block/") + GetParam());
+  const ConfigSection& root = file.root();
+  harness.input<BallPos>().field = root.get<Vec2>("ball");
+  harness.input<OtherRobots>().robots = test::othersOf(root);
+  if (const auto kicks = root.find<double>("kickDistance")) harness.input<OppInfo>().kickDistance = *kicks;
+  const BlockPosition& block = output();
+  const ConfigSection expected = root.section("expected");
+  const int opponent = expected.get<int>("opponent");
+  ASSERT_EQ(block.valid ? block.opponent : 0, opponent);
+  if (opponent == 0) return;
+  EXPECT_LT((block.position - expected.get<Vec2>("place")).norm(), expected.get<double>("within"))
+      << "it is blocked at " << block.position.transpose();
+}
+
+INSTANTIATE_TEST_SUITE_P(Written, BlockSituations,
+                         testing::Values("attack", "behindTheStriker", "inReachOfFarKicks", "mostDangerous",
+                                         "onlyAtTheBall"),
+                         [](const auto& name) { return std::string(name.param); });
 
 }  // namespace

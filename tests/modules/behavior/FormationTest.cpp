@@ -6,6 +6,7 @@
 
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
+#include "support/Situation.h"
 
 using namespace plumbline;
 
@@ -192,6 +193,18 @@ TEST_F(FormationTest, whoTookARestartWaitsUntilAnotherOneTouchesTheBall) {
   EXPECT_TRUE(role().mayTouchBall);
 }
 
+TEST_F(FormationTest, whoTookARestartKnowsItThoughTheBallIsAwayWhenPlayIsOn) {
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
+  harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
+  ballAt({0, 0});
+  harness.input<GameState>().playMode = PlayMode::kickOffOwn;
+  role();
+  ballAt({0.9, 0});  // a hard kick, seen before the play mode
+  role();
+  harness.input<GameState>().playMode = PlayMode::playOn;
+  EXPECT_FALSE(role().mayTouchBall);
+}
+
 TEST_F(FormationTest, waitsForNoTouchLongerThanItMust) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
   harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
@@ -220,5 +233,61 @@ TEST_F(FormationTest, theRoleIsDrawnAtItsPlaceAndThePlanForAll) {
   EXPECT_EQ(test::placeOf(plan, "8 striker"), Vec3(0, 0, 0));
   EXPECT_EQ(test::placeOf(plan, "3 supporter 1"), place);
 }
+
+TEST_F(FormationTest, saysWhereMatesLookAndGo) {
+  ballAt({0, 0});
+  harness.input<TeamRobotPose>().reports = {reportOf(1, Pose2(-14, 0, 0.5), 15),
+                                            reportOf(3, Pose2(-1, 0, 0), 1), reportOf(8, Pose2(-4, 2, 1), 5)};
+  OtherRobot& seen = harness.input<OtherRobots>().robots.emplace_back();
+  seen.mate = true;
+  seen.number = 9;
+  seen.position = {-6, 0};
+  seen.lastSeen = 29.9;
+  role();
+  const TeamPlaces& places = harness.output<TeamPlaces>();
+  ASSERT_EQ(places.players.size(), 3u) << "the heading of a player that is only seen is not known";
+  EXPECT_FALSE(places.of(1)->placed) << "the goalie";
+  EXPECT_FALSE(places.of(3)->placed) << "the striker";
+  ASSERT_TRUE(places.of(8)->placed);
+  EXPECT_EQ(places.of(8)->heading, 1);
+  const Vec2 toBall = -places.of(8)->place.position;
+  EXPECT_NEAR(normalizeAngle(places.of(8)->place.heading - std::atan2(toBall.y(), toBall.x())), 0, 1e-9);
+}
+
+/// A file with what players have said, and the role and place that people expect of one of them
+/// (tests/data/situations/formation).
+struct FormationSituations : FormationTest, testing::WithParamInterface<const char*> {};
+
+TEST_P(FormationSituations, areDecidedAsExpected) {
+  const ConfigFile file = test::situationFile(std::string("formation/") + GetParam());
+  const ConfigSection& root = file.root();
+  const int player = root.get<int>("player");
+  harness.input<PlayerInfo>().number = player;
+  harness.input<GameState>().playMode = test::modeOf(root);
+  for (const auto& said : root.get<std::vector<std::array<double, 5>>>("team")) {
+    const Pose2 pose(said[1], said[2], said[3]);
+    harness.input<TeamRobotPose>().reports.push_back(reportOf(static_cast<int>(said[0]), pose, said[4]));
+    if (static_cast<int>(said[0]) == player) harness.input<RobotPose>().pose = pose;
+  }
+  harness.input<OtherRobots>().robots = test::othersOf(root);
+  ballAt(root.get<Vec2>("ball"));
+  const PlayerRole& is = role();
+  const ConfigSection expected = root.section("expected");
+  EXPECT_EQ(is.strikerNumber, expected.get<int>("striker"));
+  const std::size_t as = expected.choice("role", {"goalie", "striker", "supporter"});
+  EXPECT_EQ(is.supports() ? 2u : is.role == PlayerRole::striker ? 1u : 0u, as);
+  if (!expected.has("area")) return;
+  const auto area = expected.get<std::array<double, 4>>("area");
+  EXPECT_GE(is.place.x(), area[0]);
+  EXPECT_LE(is.place.x(), area[1]);
+  EXPECT_GE(is.place.y(), area[2]);
+  EXPECT_LE(is.place.y(), area[3]);
+}
+
+INSTANTIATE_TEST_SUITE_P(Written, FormationSituations,
+                         testing::Values("firstAtTheBall", "goalieLeavesForABallAtTheGoal",
+                                         "goalieStaysForABallInMidfield", "ownKickOff", "theFallenDoNotLead",
+                                         "theirKickOff"),
+                         [](const auto& name) { return std::string(name.param); });
 
 }  // namespace

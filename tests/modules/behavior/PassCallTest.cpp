@@ -4,6 +4,7 @@
 
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
+#include "support/Situation.h"
 
 using namespace plumbline;
 
@@ -74,5 +75,24 @@ TEST_F(PassCallTest, theRequestIsDrawnAtTheBall) {
   harness.input<OtherRobots>().robots.clear();
   EXPECT_TRUE(test::drawnBy("draw:team:pass", [&] { asks(); }).shapes().empty());
 }
+
+/// A file with positions and whether people expect a request (tests/data/situations/passCall).
+struct PassSituations : PassCallTest, testing::WithParamInterface<const char*> {};
+
+TEST_P(PassSituations, areDecidedAsExpected) {
+  const ConfigFile file = test::situationFile(std::string("passCall/") + GetParam());
+  const ConfigSection& root = file.root();
+  harness.input<GameState>().playMode = test::modeOf(root);
+  const Pose2 robot = test::poseOf(root, "robot");
+  harness.input<RobotPose>().pose = robot;
+  test::placeBall(harness.input<BallPos>(), robot, root.get<Vec2>("ball"));
+  harness.input<OtherRobots>().robots = test::othersOf(root);
+  EXPECT_EQ(asks(), root.section("expected").get<int>("asks") == 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Written, PassSituations,
+                         testing::Values("atAKickIn", "inFrontOfTheGoal", "nobodyNear", "opponentComes",
+                                         "stillOnItsWay"),
+                         [](const auto& name) { return std::string(name.param); });
 
 }  // namespace

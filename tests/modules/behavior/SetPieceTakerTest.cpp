@@ -4,7 +4,7 @@
 
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
-#include "support/Robots.h"
+#include "support/Situation.h"
 
 using namespace plumbline;
 
@@ -39,9 +39,11 @@ TEST_F(SetPieceTakerTest, kicksWhereTheMateIs) {
   EXPECT_GT(output().tolerance, 0.05) << "it need not be exact";
 }
 
-TEST_F(SetPieceTakerTest, theKickOffIsTheStrikers) {
+TEST_F(SetPieceTakerTest, theKickOffGoesBackToAMate) {
   harness.input<GameState>().playMode = PlayMode::kickOffOwn;
-  EXPECT_FALSE(output().active);
+  harness.input<BallPos>().field = {0, 0};
+  EXPECT_EQ(output().skill, Skill::kick);
+  EXPECT_LT(output().target.position.x(), 0);
 }
 
 TEST_F(SetPieceTakerTest, kicksAroundAnOpponent) {
@@ -105,5 +107,49 @@ TEST_F(SetPieceTakerTest, wherePlayersWaitIsDrawnAndNothingInPlay) {
   harness.input<GameState>().playMode = PlayMode::playOn;
   EXPECT_TRUE(test::drawnBy("draw:team:setPiece", [&] { output(); }).shapes().empty());
 }
+
+TEST_F(SetPieceTakerTest, noiseOfABallInTheMiddleDoesNotMirrorThePiece) {
+  harness.input<GameState>().playMode = PlayMode::kickOffOwn;
+  std::vector<Vec2> targets;
+  for (const double y : {0.02, -0.03, 0.01, -0.3, 0.2}) {
+    harness.input<BallPos>().field = {0, y};
+    targets.push_back(output().target.position);
+  }
+  for (const Vec2& target : targets) EXPECT_EQ(target, targets.front());
+}
+
+TEST_F(SetPieceTakerTest, aBallClearlyOnTheOtherSideMirrorsIt) {
+  harness.input<GameState>().playMode = PlayMode::cornerOwn;
+  harness.input<BallPos>().field = {14.9, 5.4};
+  const Vec2 left = output().target.position;
+  harness.input<BallPos>().field = {14.9, -5.4};
+  EXPECT_EQ(output().target.position, Vec2(left.x(), -left.y()));
+}
+
+/// A file with positions and where people expect the ball or the player to go
+/// (tests/data/situations/setPiece).
+struct SetPieceSituations : SetPieceTakerTest, testing::WithParamInterface<const char*> {};
+
+TEST_P(SetPieceSituations, areDecidedAsExpected) {
+  const ConfigFile file = test::situationFile(std::string("setPiece/") + GetParam());
+  const ConfigSection& root = file.root();
+  harness.input<GameState>().playMode = test::modeOf(root);
+  const Pose2 robot = test::poseOf(root, "robot");
+  harness.input<RobotPose>().pose = robot;
+  test::placeBall(harness.input<BallPos>(), robot, root.get<Vec2>("ball"));
+  harness.input<OtherRobots>().robots = test::othersOf(root);
+  const SetPieceOutput& taken = output();
+  ASSERT_TRUE(taken.active);
+  const ConfigSection expected = root.section("expected");
+  EXPECT_EQ(taken.skill, expected.get<std::string>("skill"));
+  EXPECT_LT((taken.target.position - expected.get<Vec2>("target")).norm(), expected.get<double>("within"))
+      << "to " << taken.target.position.transpose();
+}
+
+INSTANTIATE_TEST_SUITE_P(Written, SetPieceSituations,
+                         testing::Values("cornerFromTheRight", "freeMateAtAKickIn",
+                                         "goalKickAwayFromOpponents", "goalKickOfABallThatSeemsToBeRight",
+                                         "kickOffBack", "theirFreeKick"),
+                         [](const auto& name) { return std::string(name.param); });
 
 }  // namespace

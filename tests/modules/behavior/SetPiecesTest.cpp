@@ -37,24 +37,24 @@ struct SetPiecesTest : testing::Test {
 
 TEST_F(SetPiecesTest, placesOnTheFieldAreMirroredForABallOnTheRight) {
   const SetPiecePlace place{SetPiecePlace::Frame::field, 13, 1.5};
-  EXPECT_EQ(place.at({15, 10}, 15), Vec2(13, 1.5));
-  EXPECT_EQ(place.at({15, -10}, 15), Vec2(13, -1.5));
+  EXPECT_EQ(place.at({15, 10}, 15, false), Vec2(13, 1.5));
+  EXPECT_EQ(place.at({15, -10}, 15, true), Vec2(13, -1.5));
 }
 
 TEST_F(SetPiecesTest, placesFromTheBallGoAheadAndIntoTheField) {
   const SetPiecePlace place{SetPiecePlace::Frame::ball, 4, 3};
-  EXPECT_EQ(place.at({2, 10}, 15), Vec2(6, 7));
-  EXPECT_EQ(place.at({2, -10}, 15), Vec2(6, -7));
+  EXPECT_EQ(place.at({2, 10}, 15, false), Vec2(6, 7));
+  EXPECT_EQ(place.at({2, -10}, 15, true), Vec2(6, -7));
 }
 
 TEST_F(SetPiecesTest, placesTowardsTheOwnGoalLieOnTheLineToItsMiddle) {
   const SetPiecePlace wall{SetPiecePlace::Frame::ownGoal, 2, 0}, beside{SetPiecePlace::Frame::ownGoal, 2, 1};
-  EXPECT_TRUE(wall.at({0, 0}, 15).isApprox(Vec2(-2, 0)));
-  EXPECT_TRUE(beside.at({0, 0}, 15).isApprox(Vec2(-2, -1))) << "left of the way to the goal";
+  EXPECT_TRUE(wall.at({0, 0}, 15, false).isApprox(Vec2(-2, 0)));
+  EXPECT_TRUE(beside.at({0, 0}, 15, false).isApprox(Vec2(-2, -1))) << "left of the way to the goal";
   const Vec2 ball(-11, 3);  // a triangle of 3, 4 and 5
-  EXPECT_TRUE(wall.at(ball, 15).isApprox(ball + Vec2(-1.6, -1.2)));
-  EXPECT_TRUE(wall.at({-11, -3}, 15).isApprox(Vec2(-12.6, -1.8)));
-  EXPECT_TRUE(wall.at({-15, 0}, 15).allFinite());
+  EXPECT_TRUE(wall.at(ball, 15, false).isApprox(ball + Vec2(-1.6, -1.2)));
+  EXPECT_TRUE(wall.at({-11, -3}, 15, true).isApprox(Vec2(-12.6, -1.8)));
+  EXPECT_TRUE(wall.at({-15, 0}, 15, false).allFinite());
 }
 
 TEST_F(SetPiecesTest, theProjectsOwnStayOnTheFieldWhereverTheBallLies) {
@@ -70,7 +70,7 @@ TEST_F(SetPiecesTest, theProjectsOwnStayOnTheFieldWhereverTheBallLies) {
   EXPECT_EQ(pieces.of(PlayMode::playOn), nullptr);
   for (const PlayMode mode : {PlayMode::cornerOwn, PlayMode::goalKickOwn, PlayMode::kickOffOwn})
     for (const SetPiecePlace& place : pieces.of(mode)->places) {
-      const Vec2 at = place.at({0, 0}, 15);
+      const Vec2 at = place.at({0, 0}, 15, false);
       EXPECT_LT(std::abs(at.x()), 15);
       EXPECT_LT(std::abs(at.y()), 10);
     }

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/ModuleHarness.h"
+#include "support/Situation.h"
 
 using namespace plumbline;
 
@@ -55,5 +56,29 @@ TEST_F(SupporterTest, leavesTheBallToTheStriker) {
   harness.input<PlayerRole>().role = PlayerRole::goalie;
   EXPECT_FALSE(at(Pose2(0, 0, 0)).active);
 }
+
+/// A file with positions and what people expect a supporter to do (tests/data/situations/supporter).
+struct SupporterSituations : SupporterTest, testing::WithParamInterface<const char*> {};
+
+TEST_P(SupporterSituations, areDecidedAsExpected) {
+  const ConfigFile file = test::situationFile(std::string("supporter/") + GetParam());
+  const ConfigSection& root = file.root();
+  const Pose2 robot = test::poseOf(root, "robot");
+  harness.input<PlayerRole>().place = test::poseOf(root, "place");
+  test::placeBall(harness.input<BallPos>(), robot, root.get<Vec2>("ball"));
+  harness.input<BallPos>().age = root.find<double>("ballAge").value_or(0);
+  const BehaviorOutput& output = at(robot);
+  const ConfigSection expected = root.section("expected");
+  ASSERT_EQ(output.skill, expected.get<std::string>("skill"));
+  if (!expected.has("target")) return;
+  const Pose2 target = test::poseOf(expected, "target");
+  EXPECT_LT((output.target.position - target.position).norm(), expected.get<double>("within"));
+  EXPECT_NEAR(normalizeAngle(output.target.heading - target.heading), 0, expected.get<double>("within"));
+}
+
+INSTANTIATE_TEST_SUITE_P(Written, SupporterSituations,
+                         testing::Values("atItsPlace", "ballBehindIt", "ballThatNobodySees",
+                                         "farFromItsPlace"),
+                         [](const auto& name) { return std::string(name.param); });
 
 }  // namespace

@@ -54,11 +54,12 @@ TEST(LostMessagesTest, theShareByLotFromTheSeed) {
 }
 
 TEST(LostMessagesTest, eachListenerHasItsOwnLot) {
-  LostMessages::Parameters rules;
-  rules.share = 0.5;
+  Rules rules;
+  rules.of<LostMessages>().share = 0.5;
+  const LostMessages rule;
   int differ = 0;
   for (std::uint64_t cycle = 0; cycle < 100; ++cycle)
-    differ += LostMessages::isLost(rules, 1, cycle, 1, 2) != LostMessages::isLost(rules, 1, cycle, 1, 3);
+    differ += rule.loses(rules, {1, cycle, 1, 2}) != rule.loses(rules, {1, cycle, 1, 3});
   EXPECT_NEAR(differ, 50, 20);
 }
 

@@ -65,9 +65,9 @@ std::vector<SetPiecePlace> placesOf(const ConfigSection& file, const char* key, 
 
 }  // namespace
 
-Vec2 SetPiecePlace::at(const Vec2& ball, double halfLength) const {
-  const double side = ball.y() < 0 ? -1 : 1;
-  const Vec2 onLeft(ball.x(), std::abs(ball.y()));
+Vec2 SetPiecePlace::at(const Vec2& ball, double halfLength, bool onRight) const {
+  const double side = onRight ? -1 : 1;
+  const Vec2 onLeft(ball.x(), side * ball.y());
   Vec2 place(first, second);
   if (frame == Frame::ball) place = onLeft + Vec2(first, -second);
   if (frame == Frame::ownGoal) {
@@ -76,6 +76,13 @@ Vec2 SetPiecePlace::at(const Vec2& ball, double halfLength) const {
     place = onLeft + first * to + second * Vec2(-to.y(), to.x());
   }
   return {place.x(), side * place.y()};
+}
+
+bool SetPieceSide::onRight(const SetPiece* piece, const Vec2& ball) {
+  if (piece != piece_) onRight_ = false;
+  piece_ = piece;
+  if (std::abs(ball.y()) > middle) onRight_ = ball.y() < 0;
+  return onRight_;
 }
 
 SetPiece readSetPiece(const std::string& name, const ConfigSection& file) {

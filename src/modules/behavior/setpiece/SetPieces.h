@@ -9,8 +9,8 @@
 
 namespace plumbline {
 
-/// A place in a set piece, relative to the ball's place. Files give it for a ball on the left; for a ball on
-/// the right it is mirrored. Team's frame [m].
+/// A place in a set piece, relative to the ball's place. Files give it for a ball on the left or in the
+/// middle; for a ball on the right it is mirrored. Team's frame [m].
 struct SetPiecePlace {
   enum class Frame {
     field,    ///< x, y on the field
@@ -20,7 +20,8 @@ struct SetPiecePlace {
   Frame frame = Frame::field;
   double first = 0, second = 0;
 
-  Vec2 at(const Vec2& ball, double halfLength) const;
+  /// onRight: the piece is played on the right side, see SetPieceSide.
+  Vec2 at(const Vec2& ball, double halfLength, bool onRight) const;
 };
 
 /// What a team does in some play modes: one file of config/set_pieces/, which a coach edits.
@@ -31,6 +32,21 @@ struct SetPiece {
   std::optional<SetPiecePlace> stand;  ///< where the striker waits at the opponents' restart
   std::vector<SetPiecePlace> places;   ///< of the first supporters, instead of those of the formation
   double lasts = 0;                    ///< places hold for so long after the mode has ended [s]
+};
+
+/// On which side a set piece is played: the ball's when it begins. A ball near the middle counts as one on
+/// the left. The side changes only with a ball clearly on the other one: else noise would swap it in each
+/// cycle.
+class SetPieceSide {
+public:
+  static constexpr double middle = 0.5;  ///< [m]
+
+  /// piece: the one that is played now; null: none. ball [m, team's frame].
+  bool onRight(const SetPiece* piece, const Vec2& ball);
+
+private:
+  const SetPiece* piece_ = nullptr;
+  bool onRight_ = false;
 };
 
 /// All files of config/set_pieces/. Throws ConfigurationError with file, line and key; a mode belongs to one

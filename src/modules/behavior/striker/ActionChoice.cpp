@@ -14,7 +14,8 @@ constexpr double mostDeviations = 2.5;  ///< a scatter is integrated so far to e
 /// What one way to play the ball is worth, over directions all round: a row of cells beginning at the goal.
 class Fan {
 public:
-  Fan(const BallCourses& courses, const StrikerSituation& situation, const BallPlay& play,
+  /// seconds: until the ball is played.
+  Fan(const BallCourses& courses, const StrikerSituation& situation, const BallPlay& play, double seconds,
       const ActionChoiceParameters& parameters)
       : count_(parameters.directions), cell_(2 * pi / parameters.directions) {
     const Vec2 toGoal = situation.goal() - situation.ball;
@@ -28,9 +29,10 @@ public:
     reach_ = static_cast<int>(std::ceil(mostDeviations * play.kick.scatter / cell_));
     const double goalWorth = situation.others.empty() ? 1 : parameters.goalWorth;
     widest_ = std::min(static_cast<int>(parameters.widest / cell_), count_ / 2 - reach_ - 1);
+    const Receivers receivers = courses.receivers(seconds);
     for (int i = -widest_ - reach_; i <= widest_ + reach_; ++i) {
       const double offset = i * cell_;
-      const BallCourse course = courses.course(middle_ + offset, play);
+      const BallCourse course = courses.course(middle_ + offset, play, receivers);
       // The share of the cell that lies between the posts.
       const double share =
           std::max(0.0, std::min(left, offset + cell_ / 2) - std::max(right, offset - cell_ / 2)) / cell_;
@@ -84,11 +86,9 @@ public:
         play_(play),
         time_(time),
         parameters_(parameters),
-        fan_(courses, situation, play, parameters) {
-    const Vec2 way = situation.ball - situation.robot.position;
-    if (way.norm() > 1e-6) ahead_ = way.normalized();
-    toBall_ = timeToBall(situation.robot, false, situation.ball, situation.ball + ahead_, time);
-  }
+        ahead_(directionToBall(situation)),
+        toBall_(timeToBall(situation.robot, false, situation.ball, situation.ball + ahead_, time)),
+        fan_(courses, situation, play, toBall_ + playSeconds(), parameters) {}
 
   const Fan& fan() const { return fan_; }
 
@@ -96,8 +96,7 @@ public:
     const double direction = fan_.direction(i);
     const Vec2 to(std::cos(direction), std::sin(direction));
     const double round = std::acos(std::clamp(ahead_.dot(to), -1.0, 1.0)) / pi;
-    double seconds = toBall_ + round * parameters_.roundSeconds;
-    seconds += play_.dribbled ? parameters_.pushSeconds : parameters_.kickSeconds;
+    const double seconds = toBall_ + round * parameters_.roundSeconds + playSeconds();
     const double first = 1 / (1 + std::exp((seconds - courses_.opponentSeconds()) / parameters_.timeSpread));
     StrikerAction action;
     action.kind = play_.dribbled ? StrikerAction::Kind::dribble : StrikerAction::Kind::kick;
@@ -124,14 +123,21 @@ public:
   }
 
 private:
+  static Vec2 directionToBall(const StrikerSituation& situation) {
+    const Vec2 way = situation.ball - situation.robot.position;
+    return way.norm() > 1e-6 ? Vec2(way.normalized()) : Vec2(Vec2::UnitX());
+  }
+  /// From when the robot is at the ball, on the right side of it.
+  double playSeconds() const { return play_.dribbled ? parameters_.pushSeconds : parameters_.kickSeconds; }
+
   const BallCourses& courses_;
   const StrikerSituation& situation_;
   BallPlay play_;
   const TimeToBallParameters& time_;
   const ActionChoiceParameters& parameters_;
+  Vec2 ahead_;     ///< from the robot to the ball
+  double toBall_;  ///< until it is there, without the way round the ball [s]
   Fan fan_;
-  Vec2 ahead_ = Vec2::UnitX();  ///< from the robot to the ball
-  double toBall_ = 0;           ///< until it is there, without the way round the ball [s]
 };
 
 std::vector<BallPlay> playsOf(const StrikerSituation& situation, const ActionChoiceParameters& parameters) {

@@ -17,6 +17,7 @@ constexpr double longestStep = 2;     ///< for which an opponent comes nearer to
 constexpr double shortest = 0.05;     ///< way of a ball [m]
 constexpr double flies = 0.6;         ///< share of its way over which a kick flies
 constexpr double overLying = 0.2;     ///< a kick that rises so high goes over a robot that lies [m]
+constexpr double comesToBall = 0.85;  ///< cosine between its velocity and the way to the ball
 constexpr double riseSpread = 0.35;   ///< standard deviation of a kick's height, share of it
 
 /// The share of a normal distribution below `deviations`.
@@ -25,6 +26,16 @@ double below(double deviations) { return 0.5 * std::erfc(-deviations / std::sqrt
 /// When a ball that goes `reach` in all has gone `way` [s].
 double rollingSeconds(double way, double reach) {
   return way >= reach ? farAway : -ballRollingSeconds * std::log(1 - way / reach);
+}
+
+double firstOf(const std::vector<Walker>& robots, const Vec2& place, const WalkerSpeeds& speeds) {
+  double first = farAway;
+  for (const Walker& robot : robots) {
+    const double soonest = std::min(first, farAway) * speeds.walk;
+    if ((robot.position - place).squaredNorm() < soonest * soonest)
+      first = std::min(first, secondsTo(robot, place, speeds));
+  }
+  return first;
 }
 
 }  // namespace
@@ -53,18 +64,27 @@ double BallCourses::worthOfOut(const Vec2& end, bool overTheirLine) const {
   return value_.at({Vec2(x, overTheirLine ? 0.5 * end.y() : end.y()), -1});
 }
 
-double BallCourses::firstArrival(bool mates, const Vec2& place) const {
-  const double speed = mates ? time_.walkSpeed : situation_.opponentSpeed;
-  double nearest = farAway * farAway, first = farAway;
+Receivers BallCourses::receivers(double seconds) const {
+  const WalkerSpeeds ours{time_.walkSpeed, time_.turnSpeed};
+  const WalkerSpeeds theirs{situation_.opponentSpeed, time_.turnSpeed};
+  Receivers receivers;
   for (const OtherRobot& robot : situation_.others) {
-    if (robot.mate != mates) continue;
-    const double squared = (robot.position - place).squaredNorm();
-    if (robot.fallen)
-      first = std::min(first, std::sqrt(squared) / speed + time_.getUp);
-    else
-      nearest = std::min(nearest, squared);
+    Walker walker{.position = robot.position, .velocity = robot.velocity};
+    if (robot.fallen) walker.lies = time_.getUp;
+    if (robot.mate) {
+      if (const PlacedPlayer* player = situation_.places.of(robot.number)) {
+        walker.heading = player->heading;
+        if (player->placed) walker.place = player->place;
+      }
+      receivers.mates.push_back(walkedOn(walker, seconds, ours));
+      continue;
+    }
+    const Vec2 toBall = situation_.ball - robot.position;
+    if (robot.velocity.dot(toBall) > comesToBall * robot.velocity.norm() * toBall.norm())
+      walker.place = Pose2(situation_.ball, std::atan2(toBall.y(), toBall.x()));
+    receivers.opponents.push_back(walkedOn(walker, seconds, theirs));
   }
-  return std::min(first, std::sqrt(nearest) / speed);
+  return receivers;
 }
 
 double BallCourses::opponentAtBall() const {
@@ -109,7 +129,7 @@ double BallCourses::freeWay(const Vec2& direction, double reach, bool high) cons
   return way;
 }
 
-BallCourse BallCourses::course(double direction, const BallPlay& play) const {
+BallCourse BallCourses::course(double direction, const BallPlay& play, const Receivers& receivers) const {
   const Vec2 to(std::cos(direction), std::sin(direction));
   const double toX = std::abs(to.x()) < 1e-9
                          ? farAway
@@ -134,8 +154,9 @@ BallCourse BallCourses::course(double direction, const BallPlay& play) const {
   }
   if (over < 1) {
     double own = play.dribbled ? 0.0 : course.way / time_.walkSpeed;
-    own = std::min(own, firstArrival(true, end));
-    const double advantage = ballAdvantage(own, firstArrival(false, end));
+    own = std::min(own, firstOf(receivers.mates, end, {time_.walkSpeed, time_.turnSpeed}));
+    const double theirs = firstOf(receivers.opponents, end, {situation_.opponentSpeed, time_.turnSpeed});
+    const double advantage = ballAdvantage(own, theirs);
     course.value += (1 - over) * worth(end, advantage);
   }
   return course;

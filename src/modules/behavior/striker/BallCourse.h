@@ -1,5 +1,8 @@
 #pragma once
+#include <vector>
+
 #include "modules/behavior/striker/ActionChoice.h"
+#include "tactics/Arrival.h"
 
 namespace plumbline {
 
@@ -7,6 +10,11 @@ namespace plumbline {
 struct BallPlay {
   KickEffect kick;
   bool dribbled = false;
+};
+
+/// The other robots at the moment when the ball is played.
+struct Receivers {
+  std::vector<Walker> mates, opponents;
 };
 
 /// What becomes of a ball that goes in one direction [rad].
@@ -22,7 +30,10 @@ public:
   BallCourses(const StrikerSituation& situation, const FieldValue& value, const TimeToBallParameters& time,
               const ActionChoiceParameters& parameters);
 
-  BallCourse course(double direction, const BallPlay& play) const;
+  /// The others when the ball is played in some seconds. Mates go to their places until then; opponents that
+  /// come to the ball come as far as that.
+  Receivers receivers(double seconds) const;
+  BallCourse course(double direction, const BallPlay& play, const Receivers& receivers) const;
   /// Of a ball that the opponents have where it lies.
   double lost() const { return lost_; }
   /// When the first opponent is at the ball [s].
@@ -39,7 +50,6 @@ private:
   double underBar(double share, double rise) const;
   /// When the first opponent can play the ball [s].
   double opponentAtBall() const;
-  double firstArrival(bool mates, const Vec2& place) const;
   /// How far the ball gets before a robot in its way; a high one goes over who lies.
   double freeWay(const Vec2& direction, double reach, bool high) const;
 
