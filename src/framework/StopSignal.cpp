@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "framework/CrashLog.h"
+#include "framework/SignalDescriptor.h"
+
 namespace plumbline {
 namespace {
 
@@ -67,6 +70,11 @@ std::string StopSignal::reason() const {
   }
 }
 
+int signalDescriptor() {
+  const StopSignal* target = signalTarget.load();
+  return target ? target->fileDescriptor() : -1;
+}
+
 void StopSignal::handle(int signal) {
   // Only what is allowed in a signal handler: atomics, the steady clock and write.
   StopSignal* target = signalTarget.load();
@@ -76,6 +84,7 @@ void StopSignal::handle(int signal) {
   int none = 0;
   const bool first = caughtSignal.compare_exchange_strong(none, signal);
   if (!target || (!first && Clock::duration(now - caughtAt) >= oneWish)) {
+    CrashLog::giveUp();  // a person ends it
     std::signal(signal, SIG_DFL);
     raise(signal);
     return;
