@@ -14,6 +14,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "simspark/Patience.h"
+
 namespace plumbline::simspark {
 namespace {
 
@@ -150,8 +152,7 @@ void ChildProcess::tell(int signal) { kill(wholeGroup_ ? -pid_ : pid_, signal); 
 void ChildProcess::stop(double patienceSeconds) {
   if (!running()) return;
   tell(SIGTERM);
-  const int tries = static_cast<int>(patienceSeconds / 0.005);
-  for (int i = 0; i < tries && running(); ++i) usleep(5000);
+  for (Patience patience(pid_, patienceSeconds); !patience.isOver() && running();) usleep(5000);
   if (!running()) return;
   tell(SIGKILL);
   reap(0);
