@@ -2,7 +2,7 @@
 # killed takes its agent along, which leaves no file.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 begin() { # leaves `game` and `agent`
-  rm -rf "$scratch/out"
+  rm -rf "$scratch/out" "$scratch/said"
   "$bin/game" --realtime --limit 600 --output "$scratch/out" --agent-option=--crash-log --agent-option="$scratch/crash.log" \
     > "$scratch/said" 2> "$scratch/err" &
   game=$!
@@ -32,7 +32,7 @@ rm "$scratch/crash.log"
 begin
 writer=$(pgrep -P "$agent" -x crashlog) || fail "no second process of the agent"
 kill -KILL $game
-wait $game 2> /dev/null || true
+{ wait $game; } 2> /dev/null || true
 gone() { ! kill -0 "$1" 2> /dev/null; }
 waitFor gone "$agent"
 waitFor gone "$writer"
