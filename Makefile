@@ -1,4 +1,4 @@
-# The front door; `make help` tells what there is. Behind it stands CMake: CMakeLists.txt, CMakePresets.json.
+# The front door; `make help` lists the targets. Behind it is CMake: CMakeLists.txt, CMakePresets.json.
 SHELL := /bin/bash
 MAKEFLAGS += -rR --no-print-directory
 .SUFFIXES:
@@ -50,7 +50,7 @@ run: packages
 	@scripts/build_page.sh --if-easy
 	@scripts/run.sh $(ARGS)
 
-# Eleven against eleven on a page; ARGS="--help" tells what can be chosen.
+# Eleven against eleven on a page; ARGS="--help" lists the options.
 match: packages
 	@$(MAKE) SimRelease
 	@scripts/build_page.sh --if-easy
@@ -190,7 +190,7 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 # three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); set pieces (TRIES, SEED, PLAYERS, OTHERS); what players
 # believe (GAMES, HALF, SEED, PLAYERS); searches by 1 to 30 workers (SLEEP); how fast a foot is and could be in a kick
 # (BENCH_ARGS=KICKS); the game of `make run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER); the thesis's tables of motions
-# by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE). All write their page in doc/results/.
+# by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE); how long builds take. All write their page in doc/results/.
 benchBuilds-robust := bench-robust
 benchBuilds-clients := optserver optworker
 benchBuilds-optimisation-motions := optserver
@@ -200,7 +200,7 @@ benchBuilds-duels := agent simulator bench-duels
 benchBuilds-set-pieces := agent simulator bench-duels
 benchBuilds-beliefs := agent simulator watchgame
 benchBuilds-kick-limit := bench-kick-limit
-ownPage := robust positioning saves duels set-pieces beliefs clients kick-limit goal optimisation-motions optimisation-standup
+ownPage := build robust positioning saves duels set-pieces beliefs clients kick-limit goal optimisation-motions optimisation-standup
 $(ownPage:%=bench-%): bench-%:
 	@scripts/build.sh SimRelease $(or $(benchBuilds-$*),agent game simulator)
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
@@ -284,7 +284,7 @@ tidy: packages
 
 # Anything else: what there is.
 .DEFAULT:
-	@echo "make: no target '$@'; targets are $(knownTargets), and \`make help\` tells what else there is" >&2; exit 2
+	@echo "make: no target '$@'; targets are $(knownTargets), and \`make help\` lists them" >&2; exit 2
 
 clean:
 	@for program in build/SimRelease/cmake/links/plumbline-*; do rm -f "bin/$${program##*/plumbline-}"; done

@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Lists sentences of more than 35 words: in README, CHANGELOG and doc/ (but not doc/results, which programs write) and in
 # comments of src/ and utils/. Each: file:line of its first word: number of words. Code blocks, tables, headings and
-# targets of links do not count; what stands in backticks is one word; an entry of a list ends a sentence.
+# targets of links do not count; text in backticks is one word; an entry of a list ends a sentence.
 # Example: scripts/check_sentences.sh
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Links compile_commands.json in the root to one of a target in which each source stands by itself, for editors and
+# Links compile_commands.json in the root to one of a target in which each source is compiled by itself, for editors and
 # clang-tidy: CMake's own names the bundles in which the sources are compiled.
 #   scripts/compile_commands.sh TARGET
 # Example: scripts/compile_commands.sh SimRelease

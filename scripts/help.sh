@@ -2,7 +2,7 @@
 # Prints what make can do. $1: the default target, $2: all targets.
 cat << END
 make run             install what is missing, build what one game needs, play it (ARGS="..." are handed on)
-make match           eleven against eleven on a page (ARGS="--help" tells what can be chosen)
+make match           eleven against eleven on a page (ARGS="--help" lists the options)
 make web             build the page that shows games in 3D (fetches three.js)
 make test            install what is missing, build, run every test, under sanitizers too
 make                 build the target configured last, now $1
@@ -32,5 +32,5 @@ make clean           remove what was built
 Variables: V=1 shows commands, -jN or JOBS=N at most N at once, CCACHE= without ccache; of the tests,
 TEST_CPU_SECONDS=600 and TEST_TIMEOUT=3600; SERVER=, CASES=, SEED=, DATA=: see doc/reference/build.md.
 Examples: make run; make test-framework; make SimDebug-tests
-./configure.sh --help tells how a target is configured.
+./configure.sh --help says how a target is configured.
 END

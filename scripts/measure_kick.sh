@@ -23,7 +23,7 @@ type=$1 motion=$2
 for value in "$tries" "$seed"; do
   [[ $value =~ ^[1-9][0-9]{0,5}$ ]] || fail "'$value' is no whole number from 1 to 999999"
 done
-file=$config/robots/type$type/motions/$motion.yaml
+file=$config/robots/simspark_type$type/motions/$motion.yaml
 [[ -f $file ]] || file=$config/motions/$motion.yaml
 direction=$(sed -n 's/^kick:.*direction: \(-\?[0-9.]*\).*/\1/p' "$file" 2> /dev/null) || true
 contact=$(sed -n 's/^kick:.*contact: \([0-9.]*\).*/\1/p' "$file" 2> /dev/null) || true
@@ -33,7 +33,7 @@ work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
 cp -r "$config" "$work/config"
 # The only kick that it has, and it does not dribble.
-for other in "$work"/config/motions/*.yaml "$work/config/robots/type$type"/motions/*.yaml; do
+for other in "$work"/config/motions/*.yaml "$work/config/robots/simspark_type$type"/motions/*.yaml; do
   [[ $other == "$work/${file/#$config/config}" ]] || sed -i '/^kick:/d' "$other"
 done
 printf 'choice: {dribbleSpeed: 0.05}\n' > "$work/config/Striker2.yaml"

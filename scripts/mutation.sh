@@ -10,7 +10,7 @@
 # runs tests/diagnosis as well, minutes each, where src/gap is changed; QUICK=yes leaves out what has to be compiled by
 # itself; JOBS for builds [one per core].
 # It works in a copy of the tree, build/mutation/tree, where all changes stand at once behind switches; what cannot is
-# compiled by itself. What was tried stands in build/mutation/results.txt: a run that was ended goes on there. Tests may
+# compiled by itself. What was tried is in build/mutation/results.txt: a run that was ended goes on there. Tests may
 # compute three times as long as they do without a change.
 # Example: MOST=20 scripts/mutation.sh walking
 set -uo pipefail

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Makes the walks of the league's robots, config/robots/type*/walking.yaml, from results of searches,
+# Makes the walks of the league's robots, config/robots/simspark_type*/walking.yaml, from results of searches,
 # config/walks/type*/walking.yaml. Reduces the omnidirectional speeds and each sprint until minutes of tries have no
 # fall (doc/reference/walk.md, "Finding a walk"). Seeds are fixed: the same program writes the same files. Some minutes.
 # Over what is cut goes config/walks/type*/over: the recovery from pushes. With SEARCH=GENERATIONS every sprint forward

@@ -94,7 +94,7 @@ while :; do
 done
 [[ ! -e $scratch/crash.log ]] || fail "the agent crashed"
 kill -0 "$watcher" || fail "the reader is gone: $(tail -1 "$scratch/watcher.err")"
-grep -aq 'representation:JointData' "$scratch/page" || fail "the page was told nothing"
+grep -aq 'representation:JointData' "$scratch/page" || fail "the page got nothing"
 there=127.0.0.1:$(sed -n 's/.*debug port 127.0.0.1:\([0-9]*\):.*/\1/p' "$scratch/watcher.err")
 [[ $("$bin/rdb" "$there" --exec 'get r:SensorData.acc.z') != *' 9.810000' ]] || fail "the reader was sent nothing"
 du -sm "$scratch/log" | awk '{ print "the log: " $1 " MB" }'

@@ -197,29 +197,29 @@ aboutModule() { # file
   # A unit test runs it by its header or by a line of a modules.cfg.
   uses="^#include \".*/$stem\.h\"|\b$stem\.yaml\b|ModuleHarness<(.*::)?$stem>"
   uses+="|(^|R\"\()$stem [A-Z][A-Za-z]+\$|\"$stem( [A-Z][A-Za-z]+)?\\\\n"
-  # A play mode is called so, too, or it is a common word: then only where it stands as code does.
+  # A play mode is called so, too, or it is a common word: then only where it is code.
   if [[ $stem =~ ^[A-Z][a-z]+$ ]] || grep -rqsF "\"$stem\"" src/simspark; then
     inScripts="([:/]|--[a-z-]+[= ])$stem\b|\b$stem(\.yaml|:| [A-Z])" word="[\`:/\"]$stem\b|$inScripts"
   fi
   tests
   text=$(pages "$word$([[ $name == "$stem" ]] || echo "|\`$name[ \`]")" "")
-  echo "${text:-  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made}"
+  echo "${text:-  page        none: what it does is said above; doc/how-to/add-a-module.md says how one is made}"
 }
 
 aboutRobot() { # file
   local file=$1 folder=${name#simspark_} files type word pieces=() traces
-  mapfile -t files < <(echo "$file"; find config -type f -path "*/$folder/*" 2> /dev/null | sort)
+  mapfile -t files < <(echo "$file"; find config -type f \( -path "*/$folder/*" -o -path "*/$name/*" \) 2> /dev/null | sort)
   data "${files[@]}"
   traces=$(find tests/data -name "*_$folder.*" -o -name "*_${folder/type/t}.*" 2> /dev/null | sort)
   row recordings "$({ echo "$traces"; grep -rslE "\"robot\": *\"$name\"" tests/data --include=run.json | xargs -r dirname; } |
     awk NF | together | list 8)"
   row source "src/robot/$([[ $name == "$folder" ]] || echo ", src/simspark/LeagueRobots.h and .cpp")"
-  row parameters "none: links, joints, limits and servos stand in its file (doc/reference/robot-files.md)"
+  row parameters "none: links, joints, limits and servos are in its file (doc/reference/robot-files.md)"
   namedIn "\b$name\b" "${files[@]}"
   word="\b$name\b"
   if [[ $name != "$folder" ]]; then
     type=${folder#type}
-    word+="|robots/$folder\b|(simsparkRobot|leagueRobot)\($type\)|Trial [a-z]+[({]$type[)}]|--type $type\b"
+    word+="|robots/$name\b|(simsparkRobot|leagueRobot)\($type\)|Trial [a-z]+[({]$type[)}]|--type $type\b"
     traces=$(sed -E 's#.*/##; s#\..*##' <<< "$traces" | once | paste -sd '|')
     [[ ! $traces ]] || word+="|\b($traces)\b"
   fi
@@ -320,7 +320,7 @@ about() { # kind, name, files
       word="#include \"${file#src/}\"" own=$(sed 's#^src/#tests/#; s#\.h$#Test.cpp#' <<< "$file")
       tests
       text=$(pages "\b$name\b" "")
-      echo "${text:-  page        none: what it does stands above}"
+      echo "${text:-  page        none: what it does is said above}"
       ;;
     motion | skill)
       stem=$(sed -nE 's/.*[ (](\w+)OutputBase\(.*/\1Output/p' "$file" | head -1)
@@ -353,7 +353,7 @@ about() { # kind, name, files
         page=doc/reference/excitation-programs.md
         row source src/gap/record/
         row "chosen by" "$(grep -rlE "\"$name\"" src --include='*.h' --include='*.cpp' | sort | list 6)"
-        row parameters "none: all stands in its file ($page)"
+        row parameters "none: all is in its file ($page)"
       fi
       tests
       pages "$word" "$page"

@@ -8,7 +8,7 @@
 
 namespace plumbline {
 
-/// A point of the field that robots tell from others by its name [m].
+/// A point of the field that robots identify by its name [m].
 struct FieldFlag {
   std::string_view name;
   Vec3 position;

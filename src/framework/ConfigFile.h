@@ -16,7 +16,7 @@ namespace plumbline {
 /// a later directory overrides single keys of an earlier one (lists as a whole) and says so
 /// (ConfigOverlay.h). It must be in one of them.
 ///
-///     ConfigFile file("Walk", {"config", "config/robots/type3"});
+///     ConfigFile file("Walk", {"config", "config/robots/simspark_type3"});
 ///     double height = file.root().get<double>("stepHeight", {0, 0.1});
 ///     file.checkUnknown();
 class ConfigFile {

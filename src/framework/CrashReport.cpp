@@ -45,8 +45,8 @@ bool writeCrashReport(const CrashRecord& record, pid_t agent, const std::string&
   const std::time_t now = std::time(nullptr);
   std::tm utc{};
   std::strftime(date, sizeof(date), "%Y-%m-%d %H:%M:%S UTC", gmtime_r(&now, &utc));
-  const std::string beside = path + ".part" + std::to_string(agent);
-  std::ofstream stream(beside);
+  const std::string partial = path + ".part" + std::to_string(agent);
+  std::ofstream stream(partial);
   if (signal != 0) {
     stream << "Process " << agent << " died by " << signalName(signal) << " (" << strsignal(signal) << "), "
            << date << ".\n";
@@ -59,14 +59,14 @@ bool writeCrashReport(const CrashRecord& record, pid_t agent, const std::string&
   if (calls > 0) {
     // This process has the agent's memory layout: the same program, forked.
     char** names = backtrace_symbols(record.calls.data(), calls);
-    stream << "\nCalls, innermost first (addr2line -e PROGRAM +0x... tells the line):\n";
+    stream << "\nCalls, innermost first (addr2line -e PROGRAM +0x... gives the line):\n";
     for (int i = 0; names && i < calls; i++) stream << names[i] << "\n";
     std::free(names);
   }
   stream << "\nLast messages, oldest first:\n" << record.lastMessages();
   stream.close();
-  if (stream && std::rename(beside.c_str(), path.c_str()) == 0) return true;
-  std::remove(beside.c_str());
+  if (stream && std::rename(partial.c_str(), path.c_str()) == 0) return true;
+  std::remove(partial.c_str());
   return false;
 }
 

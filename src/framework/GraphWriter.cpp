@@ -161,17 +161,17 @@ void writeGraph(const std::vector<ThreadPlan>& threads, const std::string& path,
     throw ConfigurationError(path + ": a graph is written as .dot, .svg, .pdf or .png");
   }
   // Written to another file and moved, so that there is never half a file.
-  const std::string beside = path + ".part" + std::to_string(getpid());
-  const std::string dotFile = beside + ".dot";
+  const std::string partial = path + ".part" + std::to_string(getpid());
+  const std::string dotFile = partial + ".dot";
   std::string error = writeFile(dotFile, graphText(threads, times));
   if (error.empty() && extension == ".dot") {
     error = std::rename(dotFile.c_str(), path.c_str()) == 0 ? "" : std::strerror(errno);
   } else if (error.empty()) {
-    error = runDot(extension.substr(1), dotFile, beside);
-    if (error.empty() && std::rename(beside.c_str(), path.c_str()) != 0) error = std::strerror(errno);
+    error = runDot(extension.substr(1), dotFile, partial);
+    if (error.empty() && std::rename(partial.c_str(), path.c_str()) != 0) error = std::strerror(errno);
   }
   std::remove(dotFile.c_str());
-  std::remove(beside.c_str());
+  std::remove(partial.c_str());
   if (!error.empty()) throw ConfigurationError(path + ": cannot be written: " + error);
 }
 

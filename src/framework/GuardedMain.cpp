@@ -35,13 +35,13 @@ void print(std::initializer_list<const char*> parts) {
   }
 }
 
-void tell(const char* what) { print({programName, ": ", what, "\n"}); }
+void printError(const char* what) { print({programName, ": ", what, "\n"}); }
 
 int fail(const std::exception& error, int status) noexcept {
   try {
-    tell(errorLine(error).c_str());
+    printError(errorLine(error).c_str());
   } catch (...) {
-    tell(error.what());
+    printError(error.what());
   }
   return status;
 }
@@ -54,7 +54,7 @@ int fail(const std::exception& error, int status) noexcept {
 
 [[noreturn]] void endOutOfMemory() {
   if (!ending.exchange(true)) {  // removing may come here again, and a second thread ends it as a kill does
-    tell("out of memory");
+    printError("out of memory");
     CrashLog::giveUp();
     PartialFolder::removeAll();
   }
@@ -78,9 +78,9 @@ void aborted(int) { endForLackOfMemory(); }
     } catch (const std::bad_alloc&) {
       endOutOfMemory();
     } catch (const std::exception& error) {
-      tell(error.what());
+      printError(error.what());
     } catch (...) {
-      tell("ended by an unknown exception");
+      printError("ended by an unknown exception");
     }
   }
   endForLackOfMemory();
@@ -112,11 +112,11 @@ int guardedMain(const char* program, int (*run)(int, char**), int argc, char** a
   try {
     status = run(argc, argv);
   } catch (const std::bad_alloc&) {
-    tell("out of memory");
+    printError("out of memory");
     status = badInput;
   } catch (const Stopped& stopped) {
     std::fflush(stdout);
-    tell(stopped.what().c_str());
+    printError(stopped.what().c_str());
     status = interrupted;
   } catch (const ConfigurationError& error) {
     std::fflush(stdout);
@@ -125,12 +125,12 @@ int guardedMain(const char* program, int (*run)(int, char**), int argc, char** a
     std::fflush(stdout);
     status = fail(error, fault);
   } catch (...) {
-    tell("ended by an unknown exception");
+    printError("ended by an unknown exception");
   }
   try {
     return flushedStatus(program, status);
   } catch (...) {
-    tell("out of memory");
+    printError("out of memory");
     return badInput;
   }
 }

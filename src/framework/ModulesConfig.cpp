@@ -121,7 +121,7 @@ private:
       if (other.line == 0) {
         const ModulesConfigLine& first = other.lines.front();
         failAt(first.path, first.line,
-               "\"" + first.provider + "\" stands before the first [thread priority]; put it below one");
+               "\"" + first.provider + "\" comes before the first [thread priority]; put it below one");
       }
       if (other.name == thread.name) {
         fail("thread " + thread.name + " is already in " +

@@ -37,7 +37,7 @@ std::unique_ptr<Platform> Platforms::make(const std::string& name) {
   throw ConfigurationError("--platform " + name + ": unknown platform" + remedy);
 }
 
-std::string chosenPlatform(int argc, const char* const* argv, const std::string& otherwise) {
+std::string chosenPlatform(int argc, const char* const* argv, const std::string& fallback) {
   constexpr std::string_view option = "--platform";
   for (int i = 1; i < argc; i++) {
     const std::string_view word = argv[i];
@@ -46,7 +46,7 @@ std::string chosenPlatform(int argc, const char* const* argv, const std::string&
     if (word.starts_with(option) && word.substr(option.size()).starts_with('='))
       return std::string(word.substr(option.size() + 1));
   }
-  return otherwise;
+  return fallback;
 }
 
 }  // namespace plumbline

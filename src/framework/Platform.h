@@ -11,7 +11,7 @@ namespace plumbline {
 
 /// A module that every agent needs, and the problem without it ("receives nothing from the robot").
 struct NeededModule {
-  std::string name, otherwise;
+  std::string name, fallback;
 };
 
 /// What an agent runs on: a league's server, a robot, a simulation in the program. A platform is a folder of
@@ -29,9 +29,9 @@ public:
   virtual void check() const {}
   /// Folders whose files override those of the folder `config`: those of the robot that the options chose.
   virtual std::vector<std::string> configFolders(const std::string& config) const = 0;
-  /// Gives the modules the platform's objects: its options, the robot's model (RobotModel). `tell` prints a
+  /// Gives the modules the platform's objects: its options, the robot's model (RobotModel). `notify` prints a
   /// line for the user.
-  virtual void addObjects(ModuleObjects& objects, std::function<void(const std::string&)> tell) const = 0;
+  virtual void addObjects(ModuleObjects& objects, std::function<void(const std::string&)> notify) const = 0;
   virtual std::vector<NeededModule> neededModules() const { return {}; }
   /// Example command lines for --help, a line each.
   virtual std::string examples() const { return {}; }
@@ -48,9 +48,9 @@ public:
   static std::unique_ptr<Platform> make(const std::string& name);
 };
 
-/// The platform that a command line chooses with `--platform NAME`; `otherwise` if it does not say. What else
+/// The platform that a command line chooses with `--platform NAME`; `fallback` if it does not say. What else
 /// is in the line is not looked at: which options there are depends on the platform.
-std::string chosenPlatform(int argc, const char* const* argv, const std::string& otherwise);
+std::string chosenPlatform(int argc, const char* const* argv, const std::string& fallback);
 
 }  // namespace plumbline
 

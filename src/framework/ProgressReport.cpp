@@ -17,7 +17,7 @@ ProgressReport::~ProgressReport() {
   wake_.notify_all();
 }
 
-void ProgressReport::tell(const std::string& stage, double share) {
+void ProgressReport::update(const std::string& stage, double share) {
   const std::lock_guard lock(mutex_);
   if (stage != stage_) {
     stage_ = stage;

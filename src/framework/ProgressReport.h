@@ -21,7 +21,7 @@ public:
   ProgressReport& operator=(const ProgressReport&) = delete;
 
   /// What is being done and which share of it is done, 0 .. 1; below 0: nobody knows. From any thread.
-  void tell(const std::string& stage, double share = -1);
+  void update(const std::string& stage, double share = -1);
 
 private:
   void run(Seconds first, Seconds interval);

@@ -78,7 +78,7 @@ public:
   void writeFloat(float value) override { writeDouble(static_cast<double>(value)); }
   void writeDouble(double value) override {
     if (!std::isfinite(value) && problem.empty())
-      tell(std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
+      report(std::isnan(value) ? "nan" : value > 0 ? "inf" : "-inf");
     label_.clear();
   }
   void writeString(std::string_view) override { label_.clear(); }
@@ -93,7 +93,7 @@ public:
   void endList() override { endObject(); }
 
 private:
-  void tell(const char* what) {
+  void report(const char* what) {
     open_.push_back(label_);
     for (const std::string& label : open_) {
       if (!label.empty()) problem += (problem.empty() ? "" : ".") + label;

@@ -47,8 +47,8 @@ bool writeAll(int fd, std::string_view rest) {
 /// Some file systems cannot sync (EINVAL): what they hold is as safe as it gets.
 bool sync(int fd) { return ::fsync(fd) == 0 || errno == EINVAL; }
 
-bool writeBeside(const std::string& beside, const std::string& content) {
-  Descriptor file(::open(beside.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
+bool writePartial(const std::string& partial, const std::string& content) {
+  Descriptor file(::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   return file.get() >= 0 && writeAll(file.get(), content) && sync(file.get()) && file.close();
 }
 
@@ -67,10 +67,10 @@ bool syncToDisk(const std::string& path) {
 }
 
 void writeFile(const std::string& path, const std::string& content) {
-  const std::string beside = path + ".part";
-  if (!writeBeside(beside, content) || std::rename(beside.c_str(), path.c_str()) != 0) {
+  const std::string partial = path + ".part";
+  if (!writePartial(partial, content) || std::rename(partial.c_str(), path.c_str()) != 0) {
     const int error = errno;
-    std::remove(beside.c_str());
+    std::remove(partial.c_str());
     throw std::runtime_error("cannot write " + path + ": " + std::strerror(error));
   }
   if (!syncFolderOf(path)) throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));

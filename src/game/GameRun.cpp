@@ -236,7 +236,7 @@ Summary GameRun::play(StopSignal& stop) {
     summary_.simTime = scene.time + (options_.host.empty() ? secondsBeforeKickOff : 0);
     if (scene.time > options_.limit || scene.playMode == "GameOver") break;
     if (options_.stay && summary_.simTime >= options_.limit) break;
-    // A server that runs already is told to kick off once the robot stands.
+    // A server that runs already gets the kick-off command once the robot stands.
     if (!kickedOff && stood_ && wall() > 2) {
       session.monitor.send(simspark::KickOffCommand{simspark::TeamSide::left});
       kickedOff = true;

@@ -16,10 +16,10 @@ namespace plumbline::game {
 struct GameOptions {
   int type = 0;  ///< of the robot, 0..4
   unsigned seed = 1;
-  double limit = 300;     ///< simulated [s]
-  bool web = false;       ///< the simulator shows the game on a page
-  bool stay = false;      ///< after the end the game stands still on the page until the stop is requested
-  bool realtime = false;  ///< 50 cycles a second instead of as fast as it goes
+  double limit = 300;          ///< simulated [s]
+  bool web = false;            ///< the simulator shows the game on a page
+  bool stay = false;           ///< after the end the game is paused on the page until the stop is requested
+  bool realtime = false;       ///< 50 cycles a second instead of as fast as it goes
   std::string engine = "ode";  ///< physics of the embedded simulator
   std::string output;          ///< folder
   std::string host;            ///< of a server that runs already; empty: an embedded simulator is started

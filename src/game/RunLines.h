@@ -16,7 +16,7 @@ class RunLines {
 public:
   struct Line {
     double time = 0;    ///< of the game [s]
-    std::string scene;  ///< how everything stands, without the words
+    std::string scene;  ///< positions of everything, without the words
     bool fallen = false, goal = false;
   };
 

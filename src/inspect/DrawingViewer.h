@@ -27,7 +27,7 @@ public:
   /// Throws std::runtime_error, one line, for what is no address.
   DrawingViewer(const ViewerOptions& options, const DrawingOwner& owner);
   /// In place of what it showed; an empty drawing hides it. Where the owner has become another one since, as
-  /// when the server has told its number, what was shown under the old name is hidden.
+  /// when the server has assigned its number, what was shown under the old name is hidden.
   void show(const std::string& id, const Drawing& drawing);
 
 private:

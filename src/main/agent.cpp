@@ -217,8 +217,8 @@ int runAgent(const Options& options, const Platform& platform) {
   if (!options.log.replays()) requirePlatform(controller, platform, setup.modulesConfig);
   const CrashLog crashLog(options.crashLog);
   LogBuffer::instance().setVerbose(options.verbose);
-  const auto tell = [](const std::string& line) { fmt::print(stderr, "agent: {}\n", line); };
-  platform.addObjects(controller.objects(), tell);
+  const auto notify = [](const std::string& line) { fmt::print(stderr, "agent: {}\n", line); };
+  platform.addObjects(controller.objects(), notify);
   if (const auto* robot = controller.objects().find<RobotModel>()) streamJointsOf(*robot);
   controller.objects().set(std::make_shared<MotionToPlay>(MotionToPlay{options.motion, options.motionOnce}));
   controller.objects().set(std::make_shared<FieldChoice>(FieldChoice{options.field}));
@@ -230,12 +230,12 @@ int runAgent(const Options& options, const Platform& platform) {
   if (options.debugs || options.serves || !options.drawings.empty()) {
     requireModule(controller, setup.modulesConfig, "DebugModule", "has no debug port");
     options.debug->drawings = chosenDrawings(options.drawings);
-    options.debug->tell = tell;
+    options.debug->notify = notify;
     options.debug->server.listens = options.debugs;
     if (options.serves)
-      options.debug->serve = [&options, tell](inspect::DebugServer& server) {
+      options.debug->serve = [&options, notify](inspect::DebugServer& server) {
         auto page = std::make_shared<pages::AgentPage>(options.web, server);
-        tell("page " + page->address());
+        notify("page " + page->address());
         return page;
       };
     controller.objects().set(options.debug);
@@ -246,7 +246,7 @@ int runAgent(const Options& options, const Platform& platform) {
   // A person who watches a log in a page wants to see its beginning.
   AgentLogOptions logged = options.log;
   if (options.serves && !logged.records()) logged.replayed.paused = true;
-  const auto log = makeLog(logged, controller, setup.configDirectories, tell);
+  const auto log = makeLog(logged, controller, setup.configDirectories, notify);
   controller.objects().set(log);
   int status = controller.run();
   if (log->recorder) {

@@ -52,8 +52,7 @@ struct Options {
 };
 
 std::string folderOf(const Options& options) {
-  return configPath("robots/" +
-                    (options.robot.empty() ? "type" + std::to_string(options.type) : options.robot));
+  return configPath("robots/" + (options.robot.empty() ? simsparkRobotName(options.type) : options.robot));
 }
 
 void say(const std::string& line) {
@@ -128,12 +127,12 @@ void chooseAll(Options& options, WalkGaits gaits, WalkCheckpoint& checkpoint,
                const std::function<void(const WalkGaits&)>& write) {
   TrainingSetup& setup = options.setup;
   const std::unique_ptr<Walker> robot = setup.walker(gaits);
-  const auto tell = [&](const std::string& line) { say(setup.robot + ", " + line); };
+  const auto sayOfRobot = [&](const std::string& line) { say(setup.robot + ", " + line); };
   const auto stage = [&](const std::string& what, const std::function<WalkGaits()>& work) {
     setup.report("choosing " + what + ", " + setup.robot, -1);
     return checkpoint.stage(work);
   };
-  gaits = stage("the mixture", [&] { return chooseMixture(*robot, gaits, options.choice, tell); });
+  gaits = stage("the mixture", [&] { return chooseMixture(*robot, gaits, options.choice, sayOfRobot); });
   // Each sprint must be good alone; their combination is tested last.
   const WalkGaits none = cutSprints(gaits, 0);
   WalkGaits chosen = none;
@@ -147,11 +146,11 @@ void chooseAll(Options& options, WalkGaits gaits, WalkCheckpoint& checkpoint,
     chosen = withSprint(
         chosen,
         stage("the sprint " + name,
-              [&] { return chooseSprint(*robot, none, sprints, setup.task, options.choice, tell); }),
+              [&] { return chooseSprint(*robot, none, sprints, setup.task, options.choice, sayOfRobot); }),
         setup.task);
     write(chosen);
   }
-  write(stage("all together", [&] { return chooseTogether(*robot, chosen, options.choice, tell); }));
+  write(stage("all together", [&] { return chooseTogether(*robot, chosen, options.choice, sayOfRobot); }));
 }
 
 void tryTasks(const Options& options, const WalkGaits& gaits) {
@@ -222,7 +221,7 @@ void run(Options& options, const StopSignal& stop) {
   checkWalkParameters(setup.only);
   makeRobots(options, stop);
   ProgressReport report("optimizewalk");
-  setup.report = [&](const std::string& what, double share) { report.tell(what, share); };
+  setup.report = [&](const std::string& what, double share) { report.update(what, share); };
   const WalkParameters common = plainWalk().base;
   const std::string heading =
       fmt::format("Walk of the {}, found by bin/optimizewalk.",

@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <vector>
 
+#include "math/Median.h"
 #include "math/Random.h"
 #include "optimization/Optimizers.h"
 
@@ -19,12 +20,6 @@ constexpr double growthLimit = 1e4;  // more means divergence: the cost falls wi
 
 std::size_t historyLength(int n, int lambda) {
   return static_cast<std::size_t>(10 + std::ceil(30.0 * n / lambda));
-}
-
-double medianOf(std::vector<double> values) {
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
 }
 
 /// Writes numbers into a text of bytes, or reads them back; one list of fields serves both.
@@ -236,8 +231,8 @@ StopReason Cmaes::converged() const {
   if (static_cast<std::size_t>(updates_) > 2 * window && bests_.size() >= window) {
     const auto worse = [](const std::deque<double>& values) {
       const auto part = static_cast<std::ptrdiff_t>(values.size() * 3 / 10);
-      return medianOf({values.end() - part, values.end()}) >=
-             medianOf({values.begin(), values.begin() + part});
+      return upperMedian({values.end() - part, values.end()}) >=
+             upperMedian({values.begin(), values.begin() + part});
     };
     if (worse(bests_) && worse(medians_)) return StopReason::stagnation;
   }

@@ -37,7 +37,7 @@ struct SearchSpace {
   }
 };
 
-/// When to stop; isDone() and stopReason() tell.
+/// When to stop; see isDone() and stopReason().
 struct StopCriteria {
   double targetCost = -std::numeric_limits<double>::infinity();
   std::int64_t maxEvaluations = std::numeric_limits<std::int64_t>::max();

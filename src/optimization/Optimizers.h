@@ -9,7 +9,7 @@
 
 namespace plumbline {
 
-/// What every optimiser can be told.
+/// Settings of every optimiser.
 struct OptimizerOptions {
   int population = 0;  ///< candidates per generation; 0: its own default
   std::uint64_t seed = 1;
@@ -20,7 +20,7 @@ struct OptimizerOptions {
 /// An optimiser that can be chosen by name. Its own file makes it known by MAKE_OPTIMIZER.
 struct OptimizerKind {
   const char* name;
-  int order;  ///< where it stands in lists; those of the same order by their names
+  int order;  ///< its place in lists; those of the same order by name
   std::unique_ptr<Optimizer> (*make)(const SearchSpace& space, const OptimizerOptions& options);
 };
 

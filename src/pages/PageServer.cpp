@@ -56,7 +56,7 @@ void* reallocate(void* old, std::size_t size, const char*) {
 }
 
 /// Whether the port is free: asked first, as libwebsockets 4.1.6 loses memory where it can't bind. True too
-/// for what is no IPv4 address (an interface's name), which only the library can tell.
+/// for what is no IPv4 address (an interface's name), which only the library knows.
 bool canListen(const std::string& address, int port) {
   sockaddr_in place{};
   place.sin_family = AF_INET;

@@ -112,7 +112,7 @@ std::string parameterFault(const Parameter& parameter, const ParameterPointer& v
   static Name* plumblineOwner(void* owner) { return static_cast<Name*>(owner); }
 
 /// PARAMETER(type, name, default, unit, range, comment, attributes...) in PARAMETERS or in a MODULE. A
-/// default with commas outside parentheses stands in parentheses.
+/// default with commas outside parentheses is put in parentheses.
 #define PARAMETER(Type, name_, default_, unit_, range_, comment_, ...)                     \
 public:                                                                                    \
   Type name_ = default_;                                                                   \

@@ -51,7 +51,7 @@ private:
     if (in_.ok()) visitor_(path_ + ".length", count);
   }
   template <typename T>
-  void tell(T value) {
+  void write(T value) {
     if (in_.ok()) visitor_(path_, value);
   }
   void leaf(const Schema& schema) {
@@ -62,30 +62,30 @@ private:
     if (schema.kind == Kind::boolean) {
       bool value = false;
       in_.readBool(value);
-      tell(value);
+      write(value);
     } else if (schema.kind >= Kind::int8 && schema.kind <= Kind::int64) {
       std::int64_t value = 0;
       in_.readSigned(value, offset(Kind::int8));
-      tell(value);
+      write(value);
     } else if (schema.kind >= Kind::uint8 && schema.kind <= Kind::uint64) {
       std::uint64_t value = 0;
       in_.readUnsigned(value, offset(Kind::uint8));
-      tell(value);
+      write(value);
     } else if (schema.kind == Kind::float32) {
       float value = 0;
       in_.readFloat(value);
-      tell(value);
+      write(value);
     } else if (schema.kind == Kind::float64) {
       double value = 0;
       in_.readDouble(value);
-      tell(value);
+      write(value);
     } else {
       std::string value(schema.kind == Kind::text ? 0 : schema.kind == Kind::raw ? schema.size : 1, '\0');
       if (schema.kind == Kind::text)
         in_.readString(value);
       else
         in_.readRaw(value.data(), value.size());
-      tell(schema.kind == Kind::raw ? hexadecimal(value) : value);
+      write(schema.kind == Kind::raw ? hexadecimal(value) : value);
     }
   }
   static std::string hexadecimal(const std::string& bytes) {

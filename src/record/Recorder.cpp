@@ -19,8 +19,8 @@ std::string counted(std::uint64_t count) {
 
 }  // namespace
 
-Recorder::Recorder(const std::string& folder, RecorderOptions options, Tell tell)
-    : options_(options), tell_(std::move(tell)), writer_(folder, options.writer) {
+Recorder::Recorder(const std::string& folder, RecorderOptions options, Notify notify)
+    : options_(options), notify_(std::move(notify)), writer_(folder, options.writer) {
   thread_ = std::thread([this] {
     applyThreadPriority(0, stepsOfNice);
     work();
@@ -46,7 +46,7 @@ std::uint64_t Recorder::dropped() const {
 void Recorder::fail(const std::string& error) {
   failed_ = true;
   for (const auto& thread : threads_) thread->close();
-  if (tell_) tell_("log: " + error + "; nothing more is recorded");
+  if (notify_) notify_("log: " + error + "; nothing more is recorded");
 }
 
 bool Recorder::drain() {
@@ -80,11 +80,11 @@ bool Recorder::drain() {
 
 void Recorder::updateStatistics(bool last) {
   const std::uint64_t missing = dropped();
-  if (missing > 0 && !reportedDropped_ && !failed_ && tell_) {
-    tell_("log: the buffer is full, cycles are dropped");
+  if (missing > 0 && !reportedDropped_ && !failed_ && notify_) {
+    notify_("log: the buffer is full, cycles are dropped");
     reportedDropped_ = true;
   }
-  if (last && missing > 0 && tell_) tell_("log: " + counted(missing) + " missing in " + writer_.folder());
+  if (last && missing > 0 && notify_) notify_("log: " + counted(missing) + " missing in " + writer_.folder());
   if (failed_ || !begun_) return;
   try {
     if (missing != noted_) writer_.noteDropped(missing);

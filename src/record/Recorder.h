@@ -25,10 +25,10 @@ struct RecorderOptions {
 class Recorder {
 public:
   /// Takes a line for the user.
-  using Tell = std::function<void(const std::string&)>;
+  using Notify = std::function<void(const std::string&)>;
 
   /// Makes the log's folder. Throws std::runtime_error, one line, if it cannot.
-  Recorder(const std::string& folder, RecorderOptions options, Tell tell);
+  Recorder(const std::string& folder, RecorderOptions options, Notify notify);
   ~Recorder();
   Recorder(const Recorder&) = delete;
   Recorder& operator=(const Recorder&) = delete;
@@ -53,7 +53,7 @@ private:
   void fail(const std::string& error);
 
   RecorderOptions options_;
-  Tell tell_;
+  Notify notify_;
   LogWriter writer_;
   mutable std::mutex mutex_;
   std::condition_variable wake_;

@@ -40,8 +40,8 @@ public:
   }
 
   double number(const char* key, const char* hint) const { return toNumber(at(key, hint), key); }
-  double number(const char* key, double otherwise) const {
-    return has(key) ? toNumber(value[key], key) : otherwise;
+  double number(const char* key, double fallback) const {
+    return has(key) ? toNumber(value[key], key) : fallback;
   }
 
   double atLeast(double lowest, const char* key, const char* hint) const {
@@ -78,8 +78,8 @@ public:
     return result;
   }
 
-  Vec3 vector3(const char* key, const Vec3& otherwise) const {
-    return has(key) ? Vec3(vector<3>(key, "three numbers")) : otherwise;
+  Vec3 vector3(const char* key, const Vec3& fallback) const {
+    return has(key) ? Vec3(vector<3>(key, "three numbers")) : fallback;
   }
 
   MechanismObject child(const char* key, const char* hint) const {

@@ -65,8 +65,8 @@ protected:
     return x;
   }
 
-  double number(const XMLElement& e, const char* name, double otherwise) const {
-    return e.Attribute(name) ? number(e, name) : otherwise;
+  double number(const XMLElement& e, const char* name, double fallback) const {
+    return e.Attribute(name) ? number(e, name) : fallback;
   }
 
   /// As many numbers as there are, most of them at most.
@@ -83,8 +83,8 @@ protected:
     return list;
   }
 
-  Vec3 vector(const XMLElement* e, const char* name, const Vec3& otherwise) const {
-    if (!e || !e->Attribute(name)) return otherwise;
+  Vec3 vector(const XMLElement* e, const char* name, const Vec3& fallback) const {
+    if (!e || !e->Attribute(name)) return fallback;
     const std::string text = attribute(*e, name);
     std::string_view rest = text;
     Vec3 v;

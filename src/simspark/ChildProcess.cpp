@@ -147,14 +147,14 @@ void ChildProcess::signalGroup(int signal) {
   if (running()) kill(-pid_, signal);
 }
 
-void ChildProcess::tell(int signal) { kill(wholeGroup_ ? -pid_ : pid_, signal); }
+void ChildProcess::sendSignal(int signal) { kill(wholeGroup_ ? -pid_ : pid_, signal); }
 
 void ChildProcess::stop(double patienceSeconds) {
   if (!running()) return;
-  tell(SIGTERM);
+  sendSignal(SIGTERM);
   for (Patience patience(pid_, patienceSeconds); !patience.isOver() && running();) usleep(5000);
   if (!running()) return;
-  tell(SIGKILL);
+  sendSignal(SIGKILL);
   reap(0);
 }
 

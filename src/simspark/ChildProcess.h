@@ -26,7 +26,7 @@ struct ChildSettings {
   bool wholeGroup = false;
 };
 
-/// A program started as a child, the leader of a process group of its own: it is told to stop when this
+/// A program started as a child, the leader of a process group of its own: it gets SIGTERM when this
 /// object ends and dies with this process (PR_SET_PDEATHSIG), so nothing is left behind.
 class ChildProcess {
 public:
@@ -54,7 +54,7 @@ public:
 
 private:
   bool reap(int options);
-  void tell(int signal);
+  void sendSignal(int signal);
 
   pid_t pid_ = -1;
   bool wholeGroup_;

@@ -108,8 +108,8 @@ Connection::Status Connection::receive(std::string_view& message, double timeout
     std::array<char, 1 << 16> bytes;
     const ssize_t n = recv(fd_, bytes.data(), bytes.size(), 0);
     // The league's server gathers small messages until the last is acknowledged, and who only listens, as a
-    // monitor does, acknowledges 40 ms late unless told each time. An answer acknowledges by itself, and one
-    // packet less saves an agent 3 % of its time.
+    // monitor does, acknowledges 40 ms late unless this is set each time. An answer acknowledges by itself,
+    // and one packet less saves an agent 3 % of its time.
     const int on = 1;
     if (answers_ == Answers::yes)
       answers_ = Answers::no;

@@ -15,7 +15,7 @@ namespace {
 using Word = SExpressions::Node;
 constexpr std::string_view beginning = "(field 1)";
 constexpr std::size_t maxPlayMode = 30;
-constexpr int maxCentimetres = 100000;  ///< what lies farther out is told at this place
+constexpr int maxCentimetres = 100000;  ///< what lies farther out is sent as this place
 constexpr double uprightAxis = 0.5;     ///< upward part of the torso's axis of one that has not fallen
 
 /// Sizes of the field, in the order of "(f ...)".

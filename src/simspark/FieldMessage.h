@@ -8,8 +8,8 @@
 
 namespace plumbline::simspark {
 
-// The compact protocol of bin/simplemonitor (thesis A.6.3): positions alone, told five times a second. Its
-// grammar stands in doc/reference/field-protocol.md.
+// The compact protocol of bin/simplemonitor (thesis A.6.3): positions alone, sent five times a second. Its
+// grammar is in doc/reference/field-protocol.md.
 
 /// A robot seen from above, in metres of the field frame.
 struct FieldRobot {
@@ -20,13 +20,13 @@ struct FieldRobot {
   bool fallen = false;  ///< its torso leans by more than 60 degrees
 };
 
-/// What the field message tells.
+/// The content of a field message.
 struct FieldState : Scoreboard {
   Vec3 ball = Vec3::Zero();  ///< [m]
   std::vector<FieldRobot> robots;
 };
 
-/// So often the state is told at most [s of real time].
+/// Shortest time between two messages [s of real time].
 constexpr double fieldInterval = 0.2;
 /// Robots a message has at most; more are left out, or are an error for the reader.
 constexpr std::size_t maxFieldRobots = 64;

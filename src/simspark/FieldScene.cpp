@@ -23,7 +23,7 @@ std::size_t endOfList(std::string_view text) {
   return std::string_view::npos;
 }
 
-/// The matrix of a node whose name ends at `at`, if it tells one.
+/// The matrix of a node whose name ends at `at`, if it has one.
 bool readTransform(std::string_view text, std::size_t at, Matrix4d& matrix) {
   while (at < text.size() && text[at] != '(' && text[at] != ')') ++at;  // "TRF"
   if (text.substr(at, transformBegin.size()) != transformBegin) return false;

@@ -19,7 +19,7 @@ constexpr std::array<FieldWord, 6> leagueFieldWords = {{{"FieldLength", &FieldSi
                                                         {"GoalHeight", &FieldSize::goalHeight},
                                                         {"BallRadius", &FieldSize::ballRadius}}};
 
-/// Words of this project's simulator for what the league's server does not tell; said only of a field that
+/// Words of this project's simulator for what the league's server does not send; sent only for a field that
 /// differs from the league's.
 constexpr std::array<FieldWord, 4> ownFieldWords = {{{"PenaltyDepth", &FieldSize::penaltyDepth},
                                                      {"PenaltyWidth", &FieldSize::penaltyWidth},

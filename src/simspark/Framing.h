@@ -12,7 +12,7 @@ constexpr std::size_t maxServerMessage =
     1u << 22;  ///< bytes a client accepts: a scene with 22 robots has 0.1 MB
 constexpr std::size_t maxAgentMessage = 1u << 16;  ///< bytes the simulator accepts from an agent or trainer
 
-/// Appends what stands before a message of so many bytes.
+/// Appends the header of a message of so many bytes.
 void appendFrameHeader(std::string& out, std::size_t length);
 /// Appends a message with its header.
 void appendFrame(std::string& out, std::string_view text);
@@ -27,7 +27,7 @@ public:
 
   void feed(std::string_view bytes);
   /// The next whole message, valid until the next feed. A length above the limit makes the stream useless:
-  /// tooLong from then on, and announced() tells the length.
+  /// tooLong from then on, and announced() is the length.
   Status next(std::string_view& message);
 
   bool empty() const { return begin_ == buffer_.size(); }  ///< nothing half received

@@ -27,7 +27,7 @@ void split(std::string_view text, std::vector<std::string_view>& fields) {
   }
 }
 
-/// Where the columns are and what stands in them in the line at hand.
+/// The columns' places, and their values in the current line.
 class Columns {
 public:
   Columns(TextLines& lines, std::string_view header) : lines_(lines) {

@@ -19,7 +19,7 @@ enum class FoulKind {
   none
 };
 
-/// A breach of the rules, as monitors are told: (foul INDEX KIND SIDE UNUM), SIDE 1 left, 2 right.
+/// A breach of the rules, as monitors get it: (foul INDEX KIND SIDE UNUM), SIDE 1 left, 2 right.
 struct SceneFoul {
   int index = 0;  ///< from 1
   FoulKind kind = FoulKind::none;

@@ -19,7 +19,7 @@ struct SceneRobot {
   TeamSide side = TeamSide::none;
   int unum = 0;  ///< 0 without a team
   int type = 0;
-  /// This project's axes: x forward, y left, z up; a difference tells it only when it moved by more than 5 mm
+  /// This project's axes: x forward, y left, z up; a difference has it only when it moved by more than 5 mm
   /// or 0.3 degrees.
   Pose3 T_world_torso = Pose3::Identity();
   /// All its bodies in the scene's order, see sceneBodies(); the first is the torso.
@@ -37,26 +37,26 @@ Pose3 sceneRobotPose(const Eigen::Matrix4d& matrix);
 /// league's server and here. Throws ConfigurationError for a type that is not there.
 std::vector<std::string> sceneBodies(int type);
 
-/// What a scoreboard shows, and the field it stands at.
+/// What a scoreboard shows, and the field.
 struct Scoreboard {
   double time = 0;  ///< game clock [s]
   int half = 0, scoreLeft = 0, scoreRight = 0;
   std::string playMode, teamLeft, teamRight;
-  FieldSize field;  ///< the league's, but for what the simulator tells
+  FieldSize field;  ///< the league's, but for what the simulator sends
 };
 
 /// The state of the game as it reaches a monitor; fed with the monitor port's messages, whole scenes and
 /// differences.
 class SceneState : public Scoreboard {
 public:
-  /// Empty, or one line why the message could not be read; then what it could not tell stays as it was.
+  /// Empty, or one line why the message could not be read; then what was not read stays as it was.
   std::string update(std::string_view message);
 
   bool complete() const { return !nodes_.empty(); }  ///< a whole scene has come
   Vec3 ball = Vec3::Zero();
   Mat3 ballAxes = Mat3::Identity();
   std::vector<SceneRobot> robots;
-  std::vector<SceneFoul> fouls;  ///< those that the last message told
+  std::vector<SceneFoul> fouls;  ///< those of the last message
 
   const SceneRobot* robot(TeamSide side, int unum) const;
 

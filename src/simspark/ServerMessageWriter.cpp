@@ -105,7 +105,7 @@ private:
     out_ += "))";
   }
 
-  /// The force of a foot stands before the joint that moves it, that of a toe likewise.
+  /// The force of a foot comes before the joint that moves it, that of a toe likewise.
   void leg(int first, const char* foot, const std::optional<ForceReading>& footForce, const char* toe,
            const std::optional<ForceReading>& toeForce) {
     joints(first, first + 4);

@@ -96,7 +96,7 @@ std::optional<TrainerCommand> readScore(Node list) {
 
 std::optional<TrainerCommand> readClockCommand(Node list, std::string_view name) {
   using Kind = ClockCommand::Kind;
-  if (name == "clock") return ClockCommand{Kind::tell};
+  if (name == "clock") return ClockCommand{Kind::subscribe};
   if (name == "pause") return ClockCommand{Kind::pause};
   if (name == "resume") return ClockCommand{Kind::resume};
   if (name == "step" && !list.at(1)) return ClockCommand{Kind::step};
@@ -221,7 +221,7 @@ struct CommandWriter {
   std::string operator()(const KillSimulatorCommand&) const { return "(killsim)"; }
   std::string operator()(const ClockCommand& c) const {
     switch (c.kind) {
-      case ClockCommand::Kind::tell:
+      case ClockCommand::Kind::subscribe:
         return "(clock)";
       case ClockCommand::Kind::pause:
         return "(pause)";

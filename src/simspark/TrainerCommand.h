@@ -66,15 +66,15 @@ struct AcknowledgeCommand {};  ///< (getAck): answered by the message "best"
 struct KillSimulatorCommand {};
 
 // The embedded simulator's own; the league's server logs them as unknown and goes on.
-/// (clock): from now on tell me the clock whenever it changes; (pause), (resume), (step N): so many cycles
+/// (clock): from now on send the clock whenever it changes; (pause), (resume), (step N): so many cycles
 /// though it is paused; (speed X): so many times real time, 0: as fast as it goes.
 struct ClockCommand {
-  enum class Kind { tell, pause, resume, step, speed };
-  Kind kind = Kind::tell;
+  enum class Kind { subscribe, pause, resume, step, speed };
+  Kind kind = Kind::subscribe;
   double value = 1;  ///< of step and speed
 };
-/// (viewer S): this connection only looks. It is told at most every S seconds of real time, however fast the
-/// simulation runs, and nothing while it has not read what came before.
+/// (viewer S): this connection only looks. It gets the state at most every S seconds of real time, however
+/// fast the simulation runs, and nothing while it has not read what came before.
 struct ViewerCommand {
   double interval = 0.03;
 };

@@ -6,7 +6,8 @@
 
 namespace plumbline::training {
 
-/// What the walk is told of the feet, with their toes, as the league's server prints it: by 0.01 N and 1 cm.
+/// The foot sensors that the walk gets, toes included, rounded as the league's server prints them: 0.01 N, 1
+/// cm.
 inline walking::FootSensors feltFeet(const simulation::RobotReadings& readings) {
   return walking::feltFeet(
       readings, [](const std::optional<simulation::FootForce>& force) -> std::optional<walking::FootContact> {

@@ -57,7 +57,7 @@ MotionDriver::MotionDriver(int type)
 }
 
 std::vector<std::string> MotionDriver::directories(int type) {
-  return {configFolder(), configPath("robots/type" + std::to_string(type))};
+  return {configFolder(), configPath("robots/" + simsparkRobotName(type))};
 }
 
 void MotionDriver::seedStart(std::uint64_t run, int draw) {

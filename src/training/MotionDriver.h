@@ -81,7 +81,7 @@ protected:
   explicit MotionDriver(int type);
 
   virtual void move(const JointArray& targets) = 0;
-  /// The vertical as the walk is told it.
+  /// The vertical that the walk gets.
   virtual Vec3 feltUp() const { return up(); }
   /// After the robot was put somewhere: nothing of what was before has an effect from now on.
   void forget();

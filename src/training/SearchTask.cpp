@@ -21,9 +21,9 @@ std::vector<TaskKind>& registered() {
 
 }  // namespace
 
-double TaskOptions::number(const std::string& key, double otherwise, double lowest, double highest) const {
+double TaskOptions::number(const std::string& key, double fallback, double lowest, double highest) const {
   const auto found = values_.find(key);
-  if (found == values_.end()) return otherwise;
+  if (found == values_.end()) return fallback;
   const std::string& text = found->second;
   double value = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
@@ -33,10 +33,10 @@ double TaskOptions::number(const std::string& key, double otherwise, double lowe
   return value;
 }
 
-std::string TaskOptions::word(const std::string& key, const std::string& otherwise,
+std::string TaskOptions::word(const std::string& key, const std::string& fallback,
                               const std::vector<std::string>& words) const {
   const auto found = values_.find(key);
-  const std::string& text = found == values_.end() ? otherwise : found->second;
+  const std::string& text = found == values_.end() ? fallback : found->second;
   if (!words.empty() && std::ranges::count(words, text) == 0)
     throw ConfigurationError(
         fmt::format("option {}: \"{}\" is not one of {}", key, text, fmt::join(words, ", ")));

@@ -31,8 +31,8 @@ public:
   const std::map<std::string, std::string>& values() const { return values_; }
 
   /// Throws ConfigurationError "option KEY: ..." for another text.
-  double number(const std::string& key, double otherwise, double lowest, double highest) const;
-  std::string word(const std::string& key, const std::string& otherwise,
+  double number(const std::string& key, double fallback, double lowest, double highest) const;
+  std::string word(const std::string& key, const std::string& fallback,
                    const std::vector<std::string>& words = {}) const;
   /// Throws ConfigurationError naming the nearest one for an unknown option.
   void check(const std::vector<std::string>& known) const;

@@ -75,7 +75,8 @@ private:
   }
   void act(const WalkOutput& output, const WalkSensors& sensors) override {
     ServoCommand command = driver_.command(output, engine.gait(), sensors);
-    // A simulation whose joints of one motor have a servo each wants them told alike; others do not look.
+    // A simulation whose joints of one motor have a servo each needs the same command for them; others ignore
+    // it.
     for (std::size_t j = 0; j < command.target.size(); ++j)
       if (const Mechanism::Joint& joint = robot_.joints[j]; joint.driver >= 0)
         command.target[j] = joint.driven(command.target[static_cast<std::size_t>(joint.driver)]);

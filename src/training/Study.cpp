@@ -46,8 +46,8 @@ Study readStudy(const std::string& path, const StudyChanges& changes) {
   }
   study.options = TaskOptions(values);
   study.optimizer = optimizerNames()[root.has("optimizer") ? root.choice("optimizer", optimizerNames()) : 0];
-  const auto count = [&](const char* key, double lowest, double highest, double otherwise) {
-    return root.find<double>(key, Range{lowest, highest}).value_or(otherwise);
+  const auto count = [&](const char* key, double lowest, double highest, double fallback) {
+    return root.find<double>(key, Range{lowest, highest}).value_or(fallback);
   };
   const auto seed = static_cast<std::uint64_t>(count("seed", 0, most, 1));
   study.search.seed = changes.seed.value_or(seed);

@@ -29,7 +29,7 @@ double valueOf(const WalkGaits& gaits, const Variable& variable);
 void setValue(WalkGaits& gaits, const Variable& variable, double value);
 
 struct TrainingSetup {
-  std::string robot = "type 0";                                     ///< in what is told
+  std::string robot = "type 0";                                     ///< its name in the output
   std::function<std::unique_ptr<Walker>(const WalkGaits&)> walker;  ///< makes the robot
   Task task = Task::forward;
   std::string optimizer = "cmaes";  ///< one of optimizerNames()
@@ -58,7 +58,7 @@ WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
 /// robot's are on the spot.
 WalkGaits withCornersOf(const WalkGaits& gaits, const WalkGaits& other);
 
-/// The file robots/typeN/walking.yaml: what is different from the common walk.
+/// The file robots/simspark_typeN/walking.yaml: what is different from the common walk.
 std::string walkFile(const WalkGaits& gaits, const WalkParameters& common, const std::string& heading);
 
 }  // namespace plumbline::walking

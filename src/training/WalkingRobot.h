@@ -16,7 +16,7 @@ namespace plumbline::walking {
 
 /// The walk of a league robot type as the agent reads it: config/walking.yaml and the type's own file.
 inline WalkGaits readWalkGaits(int type) {
-  const ConfigFile file("walking", {configFolder(), configPath("robots/type" + std::to_string(type))});
+  const ConfigFile file("walking", {configFolder(), configPath("robots/" + simsparkRobotName(type))});
   WalkGaits gaits = readWalkGaits(file.root());
   file.checkUnknown();
   return gaits;

@@ -49,7 +49,7 @@ private:
   SendFrame send_;
   int fd_ = -1;
   bool connecting_ = false, localEnd_ = false, peerEnd_ = false, peerReset_ = false, over_ = false;
-  bool shut_ = false;                     ///< the socket was told that no more comes
+  bool shut_ = false;                     ///< the socket has been shut for writing
   std::uint32_t allowed_ = creditWindow;  ///< bytes that may still be sent to the other end
   std::uint32_t passedOn_ = 0;            ///< bytes that no credit was given back for yet
   std::string waiting_;                   ///< for the socket

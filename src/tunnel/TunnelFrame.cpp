@@ -20,7 +20,7 @@ std::uint32_t numberAt(std::string_view message, std::size_t place) {
 
 bool isOfConnection(FrameKind kind) { return kind <= FrameKind::credit; }
 
-/// The bounds of what stands in `value`.
+/// The bounds of `value`.
 std::pair<std::uint32_t, std::uint32_t> boundsOf(FrameKind kind) {
   switch (kind) {
     case FrameKind::data:

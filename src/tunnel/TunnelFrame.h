@@ -19,7 +19,7 @@ enum class FrameKind : std::uint8_t {
   ended,     ///< the worker's command ended with this status
   over,      ///< the server's command ended with this status: all is over
   bye,       ///< the worker's rank has ended what it started; the server's: all have, and may leave
-  stop       ///< a rank was told to stop, or failed: all end with this status
+  stop       ///< a rank was asked to stop, or failed: all end with this status
 };
 
 struct Frame {

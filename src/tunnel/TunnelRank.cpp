@@ -12,7 +12,7 @@ namespace {
 
 constexpr double sayEvery = 0.2;       // that this rank is there [s]
 constexpr double longestStep = 0.1;    // what a pause of this rank's own counts as silence of others [s]
-constexpr double killAfter = 0.4;      // what does not end when it is told to [s]
+constexpr double killAfter = 0.4;      // patience with a child that ignores SIGTERM [s]
 constexpr double stoppedFor = 0.05;    // at least, who was stopped [s]
 constexpr double farewell = 0.05;      // for last messages [s]
 constexpr int messagesAtOnce = 64;     // then sockets have their turn
@@ -57,7 +57,7 @@ void TunnelRank::endEarly(int status, Watchdog& watchdog) {
   try {
     sendAll({FrameKind::stop, 0, static_cast<std::uint32_t>(status)});
     pass(farewell);
-  } catch (const std::runtime_error&) {  // the first error is what is told
+  } catch (const std::runtime_error&) {  // the first error is reported
   }
   command().stop(killAfter);
 }

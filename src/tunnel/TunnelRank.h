@@ -16,7 +16,7 @@ namespace plumbline::tunnel {
 
 struct TunnelOptions {
   std::vector<std::string> server, worker;  ///< the commands
-  int port = 0;                             ///< the server's on loopback; 0: a free one, told by {port}
+  int port = 0;                             ///< the server's on loopback; 0: a free one, which {port} names
   double patience = 60;                     ///< for the server to open its port [s]
   double grace = 5;                         ///< for the workers to end once the server's command has [s]
   double silence = 5;                       ///< a rank that says nothing for so long has gone [s]
@@ -26,10 +26,10 @@ struct TunnelOptions {
 /// How a rank ends.
 struct RankEnd {
   int status = 0;
-  bool early = false;  ///< it or another one was told to stop or failed: nobody is to be waited for
+  bool early = false;  ///< it or another one was asked to stop or failed: no rank is waited for
 };
 
-/// What every rank of the tunnel does: waits for sockets and messages, tells the others that it is there and
+/// What every rank of the tunnel does: waits for sockets and messages, announces itself to the others and
 /// watches whether they are, and ends all when one has to.
 class TunnelRank {
 public:

@@ -44,7 +44,7 @@ void Watchdog::watch(const StopSignal& stop, double silence) {
   const pid_t parent = getppid();
   unsigned seen = beats_.load();
   bool announced = false;
-  double stands = 0, ends = 0;  // for so long [s]
+  double stuck = 0, ends = 0;  // for so long [s]
   Clock::time_point last = Clock::now();
   std::unique_lock lock(mutex_);
   while (!wake_.wait_for(lock, std::chrono::duration<double>(look), [this] { return done_; })) {
@@ -52,7 +52,7 @@ void Watchdog::watch(const StopSignal& stop, double silence) {
     const double step = std::min(std::chrono::duration<double>(now - last).count(), mostOfALook);
     last = now;
     const unsigned beats = beats_.load();
-    stands = beats == seen ? stands + step : 0;
+    stuck = beats == seen ? stuck + step : 0;
     // A loop that goes on after SIGCONT decides itself what that meant.
     announced = (announced && beats == seen) || continued_.came();
     seen = beats;
@@ -60,7 +60,7 @@ void Watchdog::watch(const StopSignal& stop, double silence) {
     ends = status >= 0 || stop.requested() || announced || getppid() != parent ? ends + step : 0;
     if (ends > patience)
       endWithout("MPI does not let this rank go: it ends without", status >= 0 ? status : stopped);
-    if (stands > silence)
+    if (stuck > silence)
       endWithout("this rank has stood still for too long: MPI may wait for one that has gone", failed);
   }
 }

@@ -13,12 +13,12 @@ namespace plumbline::tunnel {
 /// ChildProcess started with its whole group ends with it.
 class Watchdog {
 public:
-  /// How long ending may take [s], and the status of one that was told to stop.
+  /// How long ending may take [s], and the status of one that was asked to stop.
   static constexpr double patience = 0.6;
   static constexpr int stopped = 130, failed = 2;
 
-  /// A loop that is not told to stop may stand for `silence` seconds; what it waits for is not counted while
-  /// the process is stopped.
+  /// A loop that is not asked to stop may be silent for `silence` seconds; what it waits for is not counted
+  /// while the process is stopped.
   Watchdog(const StopSignal& stop, double silence);
   ~Watchdog();
   Watchdog(const Watchdog&) = delete;

@@ -26,7 +26,7 @@ void WorkerRank::take(int from, const Frame& frame, double now) {
     throw std::invalid_argument("a frame that is not its to send");
   over_ = true;
   link_.stopListening();
-  // A server that failed has nothing to tell a worker that would let it end by itself.
+  // A server that failed sends no end to its worker.
   endBy_ = now + (frame.value == 0 ? options.grace : 0);
 }
 
@@ -58,7 +58,7 @@ int WorkerRank::step(double now) {
     send(0, {FrameKind::bye});
     saidBye_ = true;
   }
-  // MPI's own farewell is one of all ranks: who begins it alone waits there, and cannot be told anything.
+  // MPI's own farewell is one of all ranks: a rank that begins it alone waits there and reads no message.
   return mayLeave_ ? 0 : -1;
 }
 

@@ -17,7 +17,7 @@ static_assert(std::endian::native == std::endian::little, "frames are written as
 namespace {
 
 constexpr double relativeUnit = 1e-4, orientationUnit = 1.0 / 32767;
-/// What is told is this coarse (0.5 mm, 0.06 degrees): nobody sees it, and recordings are half as long.
+/// Resolution of what is sent (0.5 mm, 0.06 degrees): invisible, and it halves recordings.
 constexpr double relativeStep = 5, orientationStep = 16;
 
 template <class T>

@@ -9,7 +9,7 @@
 
 namespace plumbline::web {
 
-/// The state of the game as a record tells it. Throws std::runtime_error "FILE: the game's state at 6.00 s
+/// The state of the game in a record. Throws std::runtime_error "FILE: the game's state at 6.00 s
 /// ...".
 nlohmann::json gameOf(const MatchRecord& record, const std::string& file);
 

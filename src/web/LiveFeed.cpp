@@ -96,7 +96,7 @@ void LiveFeed::publishGame() {
   publish(Channel::game, std::move(message));
 }
 
-/// The server's first message tells what field it is; a page draws anew what it is told anew.
+/// The server's first message describes the field; a page redraws what it receives again.
 void LiveFeed::publishField() {
   const FieldSize& received = monitor_.scene().field;
   if (received == field_) return;
@@ -129,7 +129,7 @@ void LiveFeed::attach() {
     return;
   }
   monitor_.send(ViewerCommand{viewInterval});
-  monitor_.send(ClockCommand{ClockCommand::Kind::tell});
+  monitor_.send(ClockCommand{ClockCommand::Kind::subscribe});
 }
 
 void LiveFeed::follow() {

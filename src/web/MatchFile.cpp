@@ -78,7 +78,7 @@ void MatchWriter::append(double time, Channel channel, const std::string& messag
 }
 
 void MatchWriter::add(double time, Channel channel, const std::string& message) {
-  if (message.size() > fullChunk) return;  // nothing that is told is so long
+  if (message.size() > fullChunk) return;  // no message is so long
   if (!chunk_.empty() && (time >= begin_ + chunkSeconds || chunk_.size() > fullChunk)) flush();
   if (chunk_.empty()) {
     begin_ = end_ = time;

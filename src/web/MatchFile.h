@@ -9,7 +9,7 @@
 
 namespace plumbline::web {
 
-// A recorded match: what the pages were told and when. The format stands in doc/reference/match-file.md.
+// A recorded match: what was sent to the pages and when. The format is in doc/reference/match-file.md.
 
 struct MatchRecord {
   double time = 0;  ///< since the start of the recording [s]

@@ -101,7 +101,7 @@ void ReplayFeed::findGoals() {
   const std::size_t before = marks_.goals().size();
   try {
     marks_.add(reader_.read(scanned_++), name_);
-  } catch (const std::runtime_error&) {  // whoever goes there is told
+  } catch (const std::runtime_error&) {  // whoever goes there gets the error
     scanned_ = reader_.numChunks();
   }
   if (marks_.goals().size() != before) statusChanged_ = true;

@@ -149,7 +149,7 @@ expect "where: a module" "$text" 'module Seer
 rm -r doc/{reference/{seeing,framework,legends},decisions/*,results/*}.md config/Seer.yaml config/robots/type3/Seer.yaml config/{glasses,night}.yaml config/{worlds,walks}
 contains "where: what there is not" "$(scripts/where.sh Seer)" "  data        none
 "
-contains "where: no page" "$(scripts/where.sh Seer)" "  page        none: what it does stands above; doc/how-to/add-a-module.md says how one is made"
+contains "where: no page" "$(scripts/where.sh Seer)" "  page        none: what it does is said above; doc/how-to/add-a-module.md says how one is made"
 rm -r doc
 contains "where: parameters of the header" "$(scripts/where.sh Seer)" "  parameters  focus=0.5 m (0…1)"
 contains "where: a representation" "$(scripts/where.sh sight)" 'representation Sight
@@ -201,7 +201,7 @@ expect "where: a robot by its folder" "$(scripts/where.sh type3)" 'robot simspar
   data        config/robots/simspark_type3.json, config/robots/type3/motions/blink.yaml
   recordings  tests/data/samples/agent_type3.txt
   source      src/robot/, src/simspark/LeagueRobots.h and .cpp
-  parameters  none: links, joints, limits and servos stand in its file (doc/reference/robot-files.md)
+  parameters  none: links, joints, limits and servos are in its file (doc/reference/robot-files.md)
   tests       tests/math/ThirdTest.cpp
     over all  tests/math/TypesTest.cpp
   end-to-end  tests/e2e/types.sh'
@@ -216,7 +216,7 @@ expect "where: a class of a library" "$(scripts/where.sh lens)" 'class Lens
   source      src/modules/perception/eye/Lens.h
   included by src/modules/perception/Seer.h
   tests       tests/modules/perception/eye/LensTest.cpp, tests/modules/perception/ViewTest.cpp
-  page        none: what it does stands above'
+  page        none: what it does is said above'
 for name in Seer Sight blink wobble hill-climb type3 lens; do scripts/where.sh $name; done > /dev/null 2> where.err
 expect "where: nothing on standard error" "$(grep -v wobble where.err)" ""
 expect "where: no name" "$(scripts/where.sh 2>&1)" 'where.sh: give a NAME; see where.sh --help'

@@ -68,9 +68,9 @@ expectError 2 'agent: --platform simspak: unknown platform; did you mean "simspa
 printf 'standUp:\n  front: standUpFron\n' > "$c/MotionSelector.yaml"
 expectError 2 "agent: $c/MotionSelector.yaml:2: standUp.front there is no motion standUpFron in motions/; did you mean \"standUpFront\"?" "${agent[@]}"
 cp config/MotionSelector.yaml "$c/"
-printf 'overlay: {base: MotionSelector.yaml, values: 1}\nstandUp:\n  fastBack: standUpBackFaster\n' > "$c/robots/type0/MotionSelector.yaml"
-expectError 2 "agent: $c/robots/type0/MotionSelector.yaml:3: standUp.fastBack there is no motion standUpBackFaster in motions/; did you mean \"standUpBackFast\"?" "${agent[@]}"
-cp config/robots/type0/MotionSelector.yaml "$c/robots/type0/"
+printf 'overlay: {base: MotionSelector.yaml, values: 1}\nstandUp:\n  fastBack: standUpBackFaster\n' > "$c/robots/simspark_type0/MotionSelector.yaml"
+expectError 2 "agent: $c/robots/simspark_type0/MotionSelector.yaml:3: standUp.fastBack there is no motion standUpBackFaster in motions/; did you mean \"standUpBackFast\"?" "${agent[@]}"
+cp config/robots/simspark_type0/MotionSelector.yaml "$c/robots/simspark_type0/"
 expectError 2 'agent: --motion wavy: there is no motion wavy in motions/; did you mean "wave"?' "$bin/agent" --motion wavy
 expectError 2 "agent: --team: a team's name is 1 to 20 printable ASCII characters without blanks, parentheses or quotes" "$bin/agent" --team "two words"
 expectError 2 "start.sh: no server at 127.0.0.1:1: start one first, or give --wait; see start.sh --help" bin/start.sh --port 1
@@ -88,10 +88,10 @@ printf '# Striker.\n  kickAllowed: true\nballMaxAge: 3\n' > "$c/Striker2.yaml"
 expectError 2 "agent: $c/Striker2.yaml:3: is indented less than the first key in line 2; all keys of a map begin in the same column" "${agent[@]}"
 rm "$c/Striker2.yaml"
 # A type's file that lost a line.
-printf 'overlay: {base: SkillDribble.yaml, values: 2}\nwalk: {maxTurn: 2}\n' > "$c/robots/type4/SkillDribble.yaml"
-expectError 2 "agent: $c/robots/type4/SkillDribble.yaml:1: overlay.values is 2, but there are 1 in the file: was a line lost or added? If not, write 1" \
+printf 'overlay: {base: SkillDribble.yaml, values: 2}\nwalk: {maxTurn: 2}\n' > "$c/robots/simspark_type4/SkillDribble.yaml"
+expectError 2 "agent: $c/robots/simspark_type4/SkillDribble.yaml:1: overlay.values is 2, but there are 1 in the file: was a line lost or added? If not, write 1" \
   "${agent[@]}" --type 4
-rm "$c/robots/type4/SkillDribble.yaml"
+rm "$c/robots/simspark_type4/SkillDribble.yaml"
 
 # Robots.
 sed 's/"max_speed"/"max_sped"/' config/robots/xl330_pendulum.json > "$scratch/arm.json"

@@ -2,7 +2,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 cp -r config "$scratch/config"
 sed 's/"name": "simspark_type1"/"name": "simspark_type5"/' config/robots/simspark_type1.json > "$scratch/config/robots/simspark_type5.json"
-cp -r config/robots/type1 "$scratch/config/robots/type5"
+cp -r config/robots/simspark_type1 "$scratch/config/robots/simspark_type5"
 cd "$scratch"
 
 # The same robot by another name does the same.

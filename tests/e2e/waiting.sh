@@ -58,7 +58,7 @@ endsBy INT "$serverPid" "a simulator"
 port=0
 server crowd --wait-agents 2 --max-seconds 60
 agent one
-waitFor grep -q "waiting for 2 agents on port $port, 1 so far; the clock stands, and the time until the end is simulated time" "$scratch/crowd.log"
+waitFor grep -q "waiting for 2 agents on port $port, 1 so far; the clock is stopped, and the time until the end is simulated time" "$scratch/crowd.log"
 waitFor grep -q "agent: connected; port $port gives no robot yet" "$scratch/one.err"
 expectEqual "$(cat "$scratch/one.out")" "" "status before the first message"
 onePid=$agentPid

@@ -219,7 +219,7 @@ job optimizewalk optimizewalk
 optimizewalk_prepare() { echo '# old' > walking.yaml; }
 optimizewalk_run() {
   "$bin/optimizewalk" --type 0 --task forward --generations 1 --population 4 --tries 1 --seconds 2 --jobs 1 --only step.duration \
-    --from "$tree/config/robots/type0" --output walking.yaml
+    --from "$tree/config/robots/simspark_type0" --output walking.yaml
 }
 optimizewalk_outputs() { echo walking.yaml; }
 optimizewalk_resumes() { echo walking.yaml; }

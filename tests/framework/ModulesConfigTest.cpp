@@ -92,7 +92,7 @@ TEST(ModulesConfigTest, namesABadPriority) {
 
 TEST(ModulesConfigTest, namesMisplacedSections) {
   EXPECT_EQ(problemWith("A\n[main 1]\nB\n"),
-            "modules.cfg:1: \"A\" stands before the first [thread priority]; put it below one");
+            "modules.cfg:1: \"A\" comes before the first [thread priority]; put it below one");
   EXPECT_EQ(problemWith("[main 1]\nA\n[main 2]\nB\n"), "modules.cfg:3: thread main is already in line 1");
   EXPECT_EQ(problemWith("[main 1]\nA\n[other 2]\n"), "modules.cfg:3: thread other has no modules");
   EXPECT_EQ(problemWith("# nothing\n"), "modules.cfg: no modules");
@@ -144,7 +144,7 @@ TEST_F(ModulesConfigFiles, errorsNameTheIncludedFileAndItsLine) {
   EXPECT_EQ(problem().substr(0, more.size() + 12), more + ":2: expected");
   write("shared/more.cfg", "[late 1]\nSecond B\n");
   EXPECT_EQ(problem(),
-            folder + "/modules.cfg:1: \"First\" stands before the first [thread priority]; put it below one");
+            folder + "/modules.cfg:1: \"First\" comes before the first [thread priority]; put it below one");
   write("shared/more.cfg", "include ../modules.cfg\n");
   EXPECT_EQ(problem(), more + ":1: include " + folder + "/modules.cfg: a file cannot include itself");
   write("shared/more.cfg", "include\n");

@@ -9,7 +9,7 @@ TEST(ProgressReport, speaksWithoutATerminal) {
   testing::internal::CaptureStderr();
   {
     ProgressReport report("prog", ProgressReport::Seconds(0.01), ProgressReport::Seconds(0.01));
-    report.tell("searching", 0.25);
+    report.update("searching", 0.25);
     std::this_thread::sleep_for(std::chrono::milliseconds(100));
   }
   const std::string text = testing::internal::GetCapturedStderr();
@@ -20,8 +20,8 @@ TEST(ProgressReport, saysHowLongIsLeft) {
   testing::internal::CaptureStderr();
   {
     ProgressReport report("prog", ProgressReport::Seconds(0.02), ProgressReport::Seconds(100));
-    report.tell("searching", 0);
-    report.tell("searching", 0.5);
+    report.update("searching", 0);
+    report.update("searching", 0.5);
     std::this_thread::sleep_for(std::chrono::milliseconds(150));
   }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "prog: searching: 50 %, about 0 s left\n");
@@ -29,7 +29,7 @@ TEST(ProgressReport, saysHowLongIsLeft) {
 
 TEST(ProgressReport, staysSilentInShortWork) {
   testing::internal::CaptureStderr();
-  { ProgressReport("prog").tell("searching"); }
+  { ProgressReport("prog").update("searching"); }
   EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 

@@ -92,7 +92,7 @@ struct Ports {
     agents.carryOut();
     agents.sendSenses();
     simulation.step();
-    if (monitors.due() || monitors.owe()) monitors.tell(monitors.due());
+    if (monitors.due() || monitors.owe()) monitors.sendState(monitors.due());
     agents.dropBroken();
     monitors.dropBroken();
     for (PortClient& client : clients) client.read();

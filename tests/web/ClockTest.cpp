@@ -67,7 +67,7 @@ protected:
 TEST_F(Clock, isSentToWhoAsks) {
   ASSERT_EQ(monitor.receive(5), Connection::Status::message);
   EXPECT_EQ(monitor.clock(), std::nullopt) << "nobody asked";
-  send(Kind::tell);
+  send(Kind::subscribe);
   EXPECT_TRUE(becomes({false, 0}));
   send(Kind::speed, 4);
   EXPECT_TRUE(becomes({false, 4}));
@@ -78,7 +78,7 @@ TEST_F(Clock, isSentToWhoAsks) {
 }
 
 TEST_F(Clock, standsAndSteps) {
-  send(Kind::tell);
+  send(Kind::subscribe);
   monitor.send(simspark::PlayModeCommand{simspark::PlayMode::playOn});
   send(Kind::pause);
   ASSERT_TRUE(becomes({true, 0}));
@@ -104,7 +104,7 @@ TEST_F(Clock, aViewerGetsNoMoreThanItWants) {
   simspark::MonitorClient viewer;
   ASSERT_EQ(viewer.connect("127.0.0.1", server.monitorPort()), "");
   viewer.send(simspark::ViewerCommand{10});
-  viewer.send(ClockCommand{Kind::tell});
+  viewer.send(ClockCommand{Kind::subscribe});
   while (!viewer.clock()) ASSERT_EQ(viewer.receive(5), Connection::Status::message);
   int messages = 0;
   for (int i = 0; i < 300; ++i) {
@@ -119,7 +119,7 @@ TEST_F(Clock, aViewerSeesWhatTheOthersSee) {
   simspark::MonitorClient viewer;
   ASSERT_EQ(viewer.connect("127.0.0.1", server.monitorPort()), "");
   viewer.send(simspark::ViewerCommand{0.001});
-  send(Kind::tell);
+  send(Kind::subscribe);
   send(Kind::pause);
   ASSERT_TRUE(becomes({true, 0}));
   monitor.send(simspark::BallCommand{Vec3(-4, 2, 0.042), Vec3::Zero()});

@@ -94,7 +94,7 @@ int exportLog(const Options& options, const Progress& progress) {
     return std::cout.flush() ? 0 : badInput;
   }
   std::ostringstream text;
-  text.exceptions(std::ios::badbit);  // or a lack of memory is the end of the text, and nobody is told
+  text.exceptions(std::ios::badbit);  // else a lack of memory looks like the end of the text
   const std::uint64_t lines = writeCsv(log, thread, columns, options.part, text, progress);
   writeFile(options.csv, text.str());
   fmt::print("{}: {} lines of {} columns\n", options.csv, lines, columns.size() + 2);
@@ -175,8 +175,9 @@ int runProgram(int argc, char** argv) {
   StopSignal stop;
   stop.catchSignals();
   ProgressReport report("logtool");
-  return chosen(
-      options, [&](double share) { report.tell(options.log.empty() ? options.target : options.log, share); });
+  return chosen(options, [&](double share) {
+    report.update(options.log.empty() ? options.target : options.log, share);
+  });
 }
 
 }  // namespace

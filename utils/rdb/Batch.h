@@ -16,7 +16,7 @@ public:
   };
 
   Batch(Link& link, Session& session, const StopSignal& stop, Options options);
-  /// `place` stands before an error: "FILE:3: ", or nothing. A watch goes on beside what follows. Throws
+  /// `place` precedes an error: "FILE:3: ", or nothing. A watch goes on beside what follows. Throws
   /// std::runtime_error for an error of the agent.
   void run(const std::string& line, const std::string& place);
   /// Prints what watches say, until the end of Options; at once if nothing is watched.

@@ -10,7 +10,7 @@
 namespace plumbline::rdb {
 namespace {
 
-/// Of the console itself; the agent tells its own.
+/// Help of the console itself; the agent sends its own.
 constexpr std::array ownCommands{"plot", "png", "quit", "run"};
 constexpr std::size_t maxShown = 60;
 

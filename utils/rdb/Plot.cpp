@@ -91,11 +91,11 @@ std::string Plot::script(const std::string& title) const {
 }
 
 void Plot::writePng(const std::string& path, const std::string& title) const {
-  const std::string beside = path + ".part";
+  const std::string partial = path + ".part";
   const std::string plot = script(title);
   if (plot.empty()) throw std::runtime_error(path + ": no value has come yet");
   const std::string whole =
-      "set terminal pngcairo size 900,500\nset output " + inQuotes(beside) + '\n' + plot;
+      "set terminal pngcairo size 900,500\nset output " + inQuotes(partial) + '\n' + plot;
   const std::string scriptPath = path + ".gnuplot";
   writeFile(scriptPath, whole);
   const std::string command =
@@ -110,12 +110,12 @@ void Plot::writePng(const std::string& path, const std::string& title) const {
   std::error_code ignored;
   std::filesystem::remove(scriptPath, ignored);
   if (child < 0 || !WIFEXITED(status) || WEXITSTATUS(status) != 0) {
-    std::filesystem::remove(beside, ignored);
+    std::filesystem::remove(partial, ignored);
     throw std::runtime_error(WIFEXITED(status) && WEXITSTATUS(status) == 127
                                  ? path + ": gnuplot draws pictures and is not there: install gnuplot-nox"
                                  : path + ": gnuplot could not draw it");
   }
-  std::filesystem::rename(beside, path);
+  std::filesystem::rename(partial, path);
 }
 
 }  // namespace plumbline::rdb

@@ -25,7 +25,7 @@ std::string FieldSource::connect() {
       port_ = candidate;
       problem_.clear();
       if (!token_.empty()) connection_.send("(token " + token_ + ")");
-      // This project's monitor port then tells no more often than it is looked at; others ignore it.
+      // This project's monitor port then sends no more often than that; others ignore it.
       connection_.send(simspark::writeTrainerCommand(simspark::ViewerCommand{simspark::fieldInterval}));
       return {};
     }

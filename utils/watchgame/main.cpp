@@ -79,7 +79,7 @@ int runProgram(int argc, char** argv) {
   std::optional<watch::GameTrack> track;
   if (!trackFile.empty()) track.emplace(trackFile);
   std::string shown;  // score, play mode and half of the last line
-  const auto tell = [&](const simspark::SceneState& scene) {
+  const auto print = [&](const simspark::SceneState& scene) {
     const std::string state = fmt::format("{} {} : {} {} {} half {}", scene.teamLeft, scene.scoreLeft,
                                           scene.scoreRight, scene.teamRight, scene.playMode, scene.half);
     if (events && state == shown) return;
@@ -89,10 +89,10 @@ int runProgram(int argc, char** argv) {
   };
   options.everyScene = [&](const simspark::SceneState& scene) {
     if (track) track->observe(scene);
-    if (events) tell(scene);
+    if (events) print(scene);
   };
   const auto result = watch::watchGame(options, stop, [&](const simspark::SceneState& scene) {
-    if (!quiet && !events) tell(scene);
+    if (!quiet && !events) print(scene);
   });
   const std::string line = watch::gameLogLine(entry, result);
   if (!log.empty() && result.end != watch::GameEnd::interrupted) watch::appendGameLog(log, line);

@@ -131,8 +131,8 @@ BlindSet makeBlind(const BlindMakeOptions& given) {
   const fs::path output(options.output);
   if (fs::exists(output, error))
     throw std::runtime_error(options.output + " exists already; name a new folder with -o");
-  const PartialFolder beside(options.output + ".part");
-  const fs::path& part = beside.path();
+  const PartialFolder partial(options.output + ".part");
+  const fs::path& part = partial.path();
   fs::remove_all(part, error);
   fs::create_directories(part, error);
   if (error) throw std::runtime_error(part.string() + " cannot be made: " + error.message());

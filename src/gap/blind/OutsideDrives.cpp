@@ -94,7 +94,7 @@ double OutsideDrives::torque(Drive& drive, double q, double speed) const {
   return sum;
 }
 
-/// The command as the servo would have to be told for the law that it has not: its integral, its weaker gain,
+/// The command that makes this servo act as one with another law: its integral, its weaker gain,
 /// its lag, its neighbour's share.
 double OutsideDrives::targetFor(Drive& drive, std::size_t j, double time, double h, double measured,
                                 const std::vector<double>& targets) const {

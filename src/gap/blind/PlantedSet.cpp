@@ -86,8 +86,8 @@ BlindSet makePlantedSet(const PlantedSetOptions& options, std::vector<RunWarning
   if (fs::exists(options.output, error))
     throw std::runtime_error(options.output + " exists already; name a new folder with -o");
   const PlantingBase base(recordingsOf(options, warnings));
-  const PartialFolder beside(options.output + ".part");
-  const fs::path& part = beside.path();
+  const PartialFolder partial(options.output + ".part");
+  const fs::path& part = partial.path();
   fs::remove_all(part, error);
   fs::create_directories(part, error);
   if (error) throw std::runtime_error(part.string() + " cannot be made: " + error.message());

@@ -192,7 +192,7 @@ private:
           candidate.screened = gain;
         else if (share > 0.02)
           candidate.cause = scaled(fine_.mechanism(), candidate.cause, share);
-        tell();
+        report();
       });
     };
     look(first, 0, 0.3);
@@ -279,7 +279,7 @@ private:
         if (fit.fitting < candidate.fit.fitting)
           candidate.cause = again.cause, candidate.fit = std::move(fit);
       }
-      tell();
+      report();
     });
   }
 
@@ -304,7 +304,7 @@ private:
       if (fitted != all) better.fit = fine_.with(better.cause, all);
       better.screened = candidate.screened;
       if (better.fit.fitting < candidate.fit.fitting) static_cast<Candidate&>(candidate) = std::move(better);
-      tell();
+      report();
     });
   }
 
@@ -313,7 +313,7 @@ private:
     stageFrom_ = from;
     stageShare_ = (to - from) / static_cast<double>(std::max<std::size_t>(count, 1));
   }
-  void tell() {
+  void report() {
     const std::size_t n = ++done_;
     if (options_.progress) options_.progress(stageFrom_ + stageShare_ * static_cast<double>(n));
   }

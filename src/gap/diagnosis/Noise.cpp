@@ -7,6 +7,8 @@
 #include <numbers>
 #include <string>
 
+#include "math/Median.h"
+
 namespace plumbline::gap {
 
 namespace {
@@ -14,13 +16,6 @@ namespace {
 constexpr double headingWithin = 0.01;   // [rad]
 constexpr double commandWithin = 1e-3;   // [rad], root mean square
 constexpr double followedWithin = 0.01;  // [rad]: far more than encoders err, far less than a hand
-
-double median(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 double differenceOf(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0;
@@ -75,8 +70,8 @@ std::vector<std::vector<SignalNoise>> estimate(const std::vector<Trial>& trials,
       SignalNoise noise;
       noise.repeated = !channel.repeats.empty();
       const double step = channel.steps.empty() ? 0 : *std::ranges::max_element(channel.steps);
-      const double fast = median(channel.fast);
-      const double own = noise.repeated && from == NoiseFrom::repeats ? median(channel.repeats) : fast;
+      const double fast = upperMedian(channel.fast);
+      const double own = noise.repeated && from == NoiseFrom::repeats ? upperMedian(channel.repeats) : fast;
       // Repeats of a still joint fall on the same count: half a count is unknown even so.
       noise.sigma = std::sqrt(own * own + step * step / 12);
       noise.own = std::sqrt(fast * fast + step * step / 12);
@@ -129,7 +124,7 @@ double fastNoise(const std::vector<double>& values) {
     const double e = values[k] - 2 * values[k - 1] + values[k - 2];
     if (std::isfinite(e)) sizes.push_back(std::abs(e));
   }
-  return sizes.size() < 10 ? 0 : 1.4826 * median(std::move(sizes)) / std::sqrt(6.0);
+  return sizes.size() < 10 ? 0 : 1.4826 * upperMedian(std::move(sizes)) / std::sqrt(6.0);
 }
 
 std::vector<std::vector<SignalNoise>> estimateNoise(const std::vector<Trial>& trials, NoiseFrom from) {

@@ -150,14 +150,14 @@ Explanation bestPair(const Evaluator& fine, const Evaluator& coarse, int jobs,
   std::vector<Pair> pairs = promising(coarse, jobs);
   std::atomic<std::size_t> done = 0;
   const double whole = static_cast<double>(pairs.size() + polished);
-  const auto tell = [&] {
+  const auto report = [&] {
     const std::size_t n = ++done;
     if (progress) progress(static_cast<double>(n) / whole);
   };
   parallel(pairs.size(), jobs, [&](std::size_t i) {
     pairs[i].causes = fitTogether(coarse, pairs[i].causes, 1);
     pairs[i].left = coarse.of(pairs[i].causes).fitting;
-    tell();
+    report();
   });
   keepBest(pairs, polished);
   parallel(pairs.size(), jobs, [&](std::size_t i) {
@@ -165,7 +165,7 @@ Explanation bestPair(const Evaluator& fine, const Evaluator& coarse, int jobs,
     const double judging = fine.of(pairs[i].causes).judging;
     pairs[i].left = judging;
     for (const Cause& cause : pairs[i].causes) pairs[i].left += withPrior(cause, judging) - judging;
-    tell();
+    report();
   });
   keepBest(pairs, 1);
   return pairs.empty() ? Explanation{} : pairs.front().causes;

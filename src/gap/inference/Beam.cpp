@@ -34,13 +34,13 @@ public:
         shares_(sharesOf(replayer_.groups(), replayer_.residuals({}))),
         own_(options_.screening ? nullptr
                                 : std::make_unique<CandidateScreening>(
-                                      replayer_, shares_, [this](double share) { tell(0.3 * share); })),
+                                      replayer_, shares_, [this](double share) { report(0.3 * share); })),
         screening_(options_.screening ? *options_.screening : *own_) {}
 
   BeamResult run() {
     add({});
     for (std::size_t size = 0; size < options_.mostCauses; ++size) {
-      tell(0.3 + 0.6 * static_cast<double>(size) / static_cast<double>(options_.mostCauses));
+      report(0.3 + 0.6 * static_cast<double>(size) / static_cast<double>(options_.mostCauses));
       const std::string before = nameOfSet(best().causes());
       for (const Scored& set : top(options_.width)) extend(set.causes(), options_.proposals);
       if (nameOfSet(best().causes()) == before) break;
@@ -48,13 +48,13 @@ public:
       shares_ = sharesOf(replayer_.groups(), replayer_.residuals(best().causes()));
     }
     improve();
-    tell(0.9);
+    report(0.9);
     constexpr std::size_t kept = 13;  // sets that probabilities are shared among
     return {top(kept), {}, screening_.numKinds()};
   }
 
 private:
-  void tell(double share) const {
+  void report(double share) const {
     if (options_.progress) options_.progress(share);
   }
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gap/diagnosis/Noise.h"
+#include "math/Median.h"
 
 namespace plumbline::gap {
 
@@ -16,13 +17,6 @@ constexpr double jitter = 1e-4;      // [s] of commands and readings
 constexpr double onTheGrid = 0.9;    // share of differences that must be multiples of a step
 constexpr double offTheGrid = 0.1;   // of a step, that a multiple may be off by rounding in a file
 constexpr double leastShare = 1e-7;  // of a channel's range: numbers in a file have no more digits
-
-double medianOf(std::vector<double> values) {
-  if (values.empty()) return 0;
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::ranges::nth_element(values, middle);
-  return *middle;
-}
 
 /// The fast part of a signal, as a standard deviation: differences of order 2 to 4, whichever is least. Each
 /// is white noise's own if there is no motion; motion adds to it, to a higher order less if it is smooth, to
@@ -40,7 +34,7 @@ double fastPart(const std::vector<double>& values) {
     for (const double x : e)
       if (std::isfinite(x)) sizes.push_back(std::abs(x));
     if (sizes.size() < 10) return 0;
-    least = std::min(least, normal * medianOf(std::move(sizes)) / std::sqrt(square));
+    least = std::min(least, normal * upperMedian(std::move(sizes)) / std::sqrt(square));
   }
   return least;
 }
@@ -82,12 +76,12 @@ using Channels = std::map<std::pair<std::string, bool>, Found>;
 void findSteps(Channels& channels) {
   std::map<std::pair<SignalKind, bool>, std::vector<double>> ofKind;
   for (auto& [name, found] : channels) {
-    found.step = medianOf(found.steps);
+    found.step = upperMedian(found.steps);
     if (found.step > 0) ofKind[{found.kind, name.second}].push_back(found.step);
   }
   for (auto& [name, found] : channels)
     if (found.steps.empty())
-      if (const double step = medianOf(ofKind[{found.kind, name.second}]); medianOf(found.fast) < step)
+      if (const double step = upperMedian(ofKind[{found.kind, name.second}]); upperMedian(found.fast) < step)
         found.step = step;
 }
 
@@ -108,7 +102,7 @@ double effortOfAngle(const Trial& trial, const Signal& effort, const Channels& c
   const Found& found = channels.at({position->name, trial.freeBase});
   const double rounded = found.step / std::sqrt(12.0);
   if (effort.kind == SignalKind::duty) return servo.kpFirmware * servo.errorGain * rounded;
-  const double angle = std::hypot(rounded, medianOf(found.fast));
+  const double angle = std::hypot(rounded, upperMedian(found.fast));
   const double cycle = (trial.time.back() - trial.time.front()) / static_cast<double>(trial.cycles() - 1);
   // The speed is a central difference.
   const double torque = angle * std::hypot(servo.kp, servo.kd / (std::numbers::sqrt2 * cycle));
@@ -156,7 +150,7 @@ double smallestStep(std::vector<double> values) {
   std::vector<double> alike;
   for (const double step : steps)
     if (step < 1.5 * smallest) alike.push_back(step);
-  const double step = medianOf(alike);
+  const double step = upperMedian(alike);
   // With as many steps as readings there is no grid.
   if (most / step > 4 * static_cast<double>(values.size())) return 0;
   std::size_t multiples = 0;
@@ -196,14 +190,14 @@ std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trial
       use.used = use.why.empty();
       const bool effort = isEffort(signal.kind);
       const bool moves = signal.kind == SignalKind::position || effort;
-      const double late = moves ? jitter * medianOf(found.rates) : 0;
+      const double late = moves ? jitter * upperMedian(found.rates) : 0;
       const double angle = effort && use.used ? effortOfAngle(trial, signal, channels) : 0;
       const auto noiseWith = [&](double own) {
         const double all = std::sqrt(own * own + found.step * found.step / 12 + late * late + angle * angle);
         return std::max({all, leastShare * found.largest, 1e-9});
       };
-      use.readingNoise = noiseWith(medianOf(found.fast));
-      use.noise = std::max(use.readingNoise, noiseWith(medianOf(found.repeats)));
+      use.readingNoise = noiseWith(upperMedian(found.fast));
+      use.noise = std::max(use.readingNoise, noiseWith(upperMedian(found.repeats)));
       of.push_back(std::move(use));
     }
   }

@@ -144,7 +144,7 @@ void sortByEvidence(std::vector<Finding>& findings) {
 Inference infer(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options) {
   const Groups groups(std::move(trials));
   const Replayer replayer(robot, groups, options.jobs);
-  const auto tell = [&](const char* stage, double share) {
+  const auto report = [&](const char* stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
   const bool fixedBase = std::ranges::none_of(groups.trials(), &Trial::freeBase),
@@ -154,19 +154,19 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   if (fixedBase && few) windows.emplace(robot, groups, options.jobs);
   if (fixedBase && !few) coarse.emplace(robot, groups, options.jobs, withLongSteps());
   const SearchTools tools{replayer, windows ? &*windows : nullptr, coarse ? &*coarse : nullptr};
-  tell("each cause alone", 0);
+  report("each cause alone", 0);
   const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
-                                     [&](double share) { tell("each cause alone", share); });
+                                     [&](double share) { report("each cause alone", share); });
   SetSearchOptions search;
   search.screening = &screening;
   if (!few) search.mostCauses = mostOfManyKinds;
   if (options.mostCauses > 0) search.mostCauses = options.mostCauses;
-  search.progress = [&](double share) { tell("sets of causes", share); };
+  search.progress = [&](double share) { report("sets of causes", share); };
   const BeamResult found = searchForSets(tools, search);
   const Scored& best = found.sets.front();
   const std::vector<double> p = posterior(found.sets);
   search.expectMany = coarse && best.causes().size() > mostSetBySet;
-  search.progress = [&](double share) { tell("again without each recording in turn", share); };
+  search.progress = [&](double share) { report("again without each recording in turn", share); };
   std::vector<FoundWithout> without = findWithoutEach(tools, search);
 
   Inference result;
@@ -212,13 +212,13 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   if (diagnosis.verdict == Verdict::unknown && fixedBase && differsByJoint(robot, best.causes())) {
     const Replayer& quick = coarse ? *coarse : replayer;
     for (std::size_t g = 0; g < without.size(); ++g) {
-      tell("values in each joint", static_cast<double>(g) / static_cast<double>(without.size() + 1));
+      report("values in each joint", static_cast<double>(g) / static_cast<double>(without.size() + 1));
       const Groups others = groups.without(g);
       without[g].causes = withJointValues(Replayer(quick, others), without[g].causes);
     }
     diagnosis.jointValues = withJointValues(quick, best.causes());
   }
-  tell("recordings left out", 0);
+  report("recordings left out", 0);
   result.leftOut = leftWithout(groups, without);
   result.claim = claimOf(
       closedPerGroup(result.leftOut, groupsOfRecordings(groups)),

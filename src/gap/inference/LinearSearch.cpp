@@ -26,19 +26,19 @@ public:
     std::set<std::vector<std::size_t>> seen;
     std::vector<std::size_t> kinds;
     for (int round = 0; round < options_.rounds; ++round) {
-      tell(0.8 * round / options_.rounds);
+      report(0.8 * round / options_.rounds);
       const StrengthSet set = fitter_.refine(climb(kinds), stepsOfRound);
       lookFrom(set);
       collect(set.kinds);
       if (!seen.insert(set.kinds).second) break;
       kinds = set.kinds;
     }
-    tell(0.8);
+    report(0.8);
     return settled();
   }
 
 private:
-  void tell(double share) const {
+  void report(double share) const {
     if (options_.progress) options_.progress(share);
   }
 
@@ -136,7 +136,7 @@ private:
       for (const std::size_t kind : set.kinds)
         proposal.lessOne.push_back(asScored(linear.score(lessOne(set.kinds, kind))));
     }
-    tell(1);
+    report(1);
     return proposals;
   }
 

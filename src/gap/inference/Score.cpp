@@ -13,7 +13,7 @@ namespace {
 constexpr double farthest = 1;  // step of a value when a group is left out, in the logarithm of its strength
 
 /// The likeliest values for these groups, by one Newton step from the values for all. Where a joint sticks
-/// and slips, derivatives may lead far astray: a step to where these groups are less likely is halved, at
+/// and slips, derivatives may mislead: a step to where these groups are less likely is halved, at
 /// most twice, and else not taken.
 Explanation stepTowards(const Replayer& replayer, const Shares& shares, const Fitted& fitted,
                         const std::vector<char>& groups) {

@@ -56,21 +56,21 @@ double StrengthFitter::stepOf(const StrengthSet& set, std::size_t kind) const {
   return x + step <= of.upper ? step : -step;
 }
 
-void StrengthFitter::slopesOf(const StrengthSet& beside, const Coefficients& here,
+void StrengthFitter::slopesOf(const StrengthSet& set, const Coefficients& here,
                               const std::vector<std::size_t>& wanted,
                               std::vector<Coefficients>& slopes) const {
   const std::vector<CoefficientCell>& cells = replayer_.cells();
   for (const std::vector<std::size_t>& colour : colours(kinds_, wanted)) {
-    StrengthSet moved = beside;
+    StrengthSet moved = set;
     for (const std::size_t kind : colour) {
       if (!moved.holds(kind)) moved = with(moved, kind);
-      moved.x[std::ranges::lower_bound(moved.kinds, kind) - moved.kinds.begin()] += stepOf(beside, kind);
+      moved.x[std::ranges::lower_bound(moved.kinds, kind) - moved.kinds.begin()] += stepOf(set, kind);
     }
     const Coefficients there = replayer_.coefficients(causesOf(moved));
     for (const std::size_t kind : colour) {
       const std::vector<int>& joints = kinds_[kind].joints;
       Coefficients& of = slopes[kind];
-      bool visible = beside.holds(kind);
+      bool visible = set.holds(kind);
       for (std::size_t c = 0; c < cells.size(); ++c) {
         of.emplace_back();
         if (!joints.empty() && std::ranges::find(joints, cells[c].joint) == joints.end()) continue;
@@ -80,7 +80,7 @@ void StrengthFitter::slopesOf(const StrengthSet& beside, const Coefficients& her
         const double size = change.norm() / std::sqrt(static_cast<double>(change.cols()) *
                                                       static_cast<double>(part.to - part.from));
         visible = visible || size > enginesDiffer;
-        of.back() = change / stepOf(beside, kind);
+        of.back() = change / stepOf(set, kind);
       }
       if (!visible) of.assign(cells.size(), {});
     }

@@ -16,7 +16,7 @@ constexpr double alone = 0.9;                  // share of what all feet carry: 
 constexpr int leastSteps = 4;                  // changes from one foot to another
 constexpr double before = 0.06, after = 0.03;  // [s] of a landing or lift-off that shakes the body
 constexpr double shifts = 0.03;                // of the load: more is one
-constexpr int beside = 2;                      // cycles on either side that a speed is taken from
+constexpr int halfWindow = 2;                  // cycles on either side that a speed is taken from
 
 /// Per cycle and foot, its share of what all feet carry; empty where no foot is pressed or a sample was lost.
 std::vector<std::vector<double>> loadShares(const Trial& trial) {
@@ -46,9 +46,9 @@ int standsOn(const std::vector<double>& shares) {
 
 /// Slope of a straight line through the samples around a cycle; NaN next to gaps.
 double slopeAt(const Trial& trial, const std::vector<double>& values, std::size_t k) {
-  if (k < beside || k + beside >= values.size()) return std::numeric_limits<double>::quiet_NaN();
+  if (k < halfWindow || k + halfWindow >= values.size()) return std::numeric_limits<double>::quiet_NaN();
   double n = 0, t = 0, x = 0, tt = 0, tx = 0;
-  for (std::size_t i = k - beside; i <= k + beside; ++i) {
+  for (std::size_t i = k - halfWindow; i <= k + halfWindow; ++i) {
     const double when = trial.time[i] - trial.time[k];
     n += 1, t += when, x += values[i], tt += when * when, tx += when * values[i];
   }
@@ -86,14 +86,14 @@ bool isBetweenSteps(const Trial& trial, const std::vector<std::vector<double>>& 
 }  // namespace
 
 void cutIntoSteps(Trial& trial) {
-  if (!trial.freeBase || trial.cycles() <= 2 * beside) return;
+  if (!trial.freeBase || trial.cycles() <= 2 * halfWindow) return;
   const std::vector<std::vector<double>> shares = loadShares(trial);
   std::vector<Restart> restarts;
   const auto sinceLast = [&](std::size_t k) {
     return restarts.empty() ? INFINITY : trial.time[k] - trial.time[restarts.back().cycle];
   };
   int steps = 0, last = -1;
-  for (std::size_t k = beside; k + beside < trial.cycles();) {
+  for (std::size_t k = halfWindow; k + halfWindow < trial.cycles();) {
     const int foot = standsOn(shares[k]);
     std::size_t end = k + 1;
     if (foot >= 0) {

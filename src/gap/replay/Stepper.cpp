@@ -15,10 +15,10 @@ constexpr int maxRegimes = 5, frictionSweeps = 30;
 constexpr int mostRounds = 30;    // of frictions and contacts in turn
 constexpr double agreed = 0.002;  // of what frictions can hold: change in the last
 
-double firstFinite(const std::vector<double>& values, double otherwise) {
+double firstFinite(const std::vector<double>& values, double fallback) {
   for (const double value : values)
     if (std::isfinite(value)) return value;
-  return otherwise;
+  return fallback;
 }
 
 }  // namespace

@@ -16,8 +16,8 @@ std::string textOf(const json& map, const char* key) {
   return map.contains(key) && map[key].is_string() ? map[key].get<std::string>() : std::string();
 }
 
-double numberOf(const json& map, const char* key, double otherwise) {
-  return map.contains(key) && map[key].is_number() ? map[key].get<double>() : otherwise;
+double numberOf(const json& map, const char* key, double fallback) {
+  return map.contains(key) && map[key].is_number() ? map[key].get<double>() : fallback;
 }
 
 simulation::EffectSetting settingOf(const json& cause, const std::string& origin) {

@@ -6,8 +6,12 @@
 #include <limits>
 #include <utility>
 
+#include "math/Median.h"
+
 namespace plumbline::gap {
 namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();  // the median of nothing
 
 Likeness likeness(const std::vector<double>& a, const std::vector<double>& b) {
   Likeness result;
@@ -61,7 +65,7 @@ Following followingOf(const std::vector<double>& a, const std::vector<double>& b
     size.push_back(std::abs(a[i]));
   }
   if (distance.empty()) return {};
-  return {distance.size(), median(distance), median(size)};
+  return {distance.size(), upperMedian(distance, none), upperMedian(size, none)};
 }
 
 double fastest(const std::vector<double>& t, const std::vector<double>& column, double jump) {
@@ -76,17 +80,10 @@ double fastest(const std::vector<double>& t, const std::vector<double>& column, 
   return most;
 }
 
-double median(std::vector<double> values) {
-  if (values.empty()) return std::numeric_limits<double>::quiet_NaN();
-  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
-  std::nth_element(values.begin(), middle, values.end());
-  return *middle;
-}
-
 double medianStep(const std::vector<double>& t) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < t.size(); ++i) steps.push_back(t[i] - t[i - 1]);
-  return median(std::move(steps));
+  return upperMedian(std::move(steps), none);
 }
 
 double medianLength(const std::vector<double>& x, const std::vector<double>& y,
@@ -96,7 +93,7 @@ double medianLength(const std::vector<double>& x, const std::vector<double>& y,
     const double length = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
     if (!std::isnan(length)) lengths.push_back(length);
   }
-  return median(std::move(lengths));
+  return upperMedian(std::move(lengths), none);
 }
 
 double medianSum(const std::vector<const std::vector<double>*>& columns) {
@@ -106,7 +103,7 @@ double medianSum(const std::vector<const std::vector<double>*>& columns) {
     for (const auto* column : columns) sum += (*column)[i];
     if (!std::isnan(sum)) sums.push_back(sum);
   }
-  return median(std::move(sums));
+  return upperMedian(std::move(sums), none);
 }
 
 Likeness likenessOf(const std::vector<double>& a, const std::vector<double>& b,

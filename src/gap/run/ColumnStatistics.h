@@ -16,9 +16,7 @@ struct Extremes {
 Extremes extremesOf(const std::vector<double>& column);
 /// Share of the samples that are lost, 0..1.
 double lostShare(const std::vector<double>& column);
-/// Median of the differences of neighbours.
-/// The upper one of two middle values; NaN without values.
-double median(std::vector<double> values);
+/// Median of the differences of neighbours (the upper one of two); NaN of fewer than two values.
 double medianStep(const std::vector<double>& t);
 /// Median of the length of (x, y, z); NaN where there is no whole one.
 double medianLength(const std::vector<double>& x, const std::vector<double>& y, const std::vector<double>& z);

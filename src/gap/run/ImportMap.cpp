@@ -41,8 +41,8 @@ ColumnRule readRule(const ConfigSection& entry) {
   return rule;
 }
 
-TableForm readForm(const ConfigSection& section, const TableForm& otherwise) {
-  TableForm form = otherwise;
+TableForm readForm(const ConfigSection& section, const TableForm& fallback) {
+  TableForm form = fallback;
   if (const auto separator = section.find<std::string>("separator")) {
     if ((separator->size() != 1 && *separator != "tab") || *separator == "\"")
       section.fail("separator", "is \"" + *separator + "\"; give one character or tab");
@@ -124,7 +124,7 @@ ImportMap readImportMap(const std::string& path) {
   map.severalTables = root.has("tables");
   if (map.severalTables) {
     for (const char* key : {"columns", "time"})
-      if (root.has(key)) root.fail(key, "stands beside tables; move it into an entry of tables");
+      if (root.has(key)) root.fail(key, "is not allowed next to tables; move it into an entry of tables");
     const std::vector<ConfigSection> entries = root.list("tables");
     if (entries.empty() || entries.size() > mostTables)
       root.fail("tables", "has " + std::to_string(entries.size()) +

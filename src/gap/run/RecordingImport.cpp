@@ -8,6 +8,7 @@
 #include "gap/run/ColumnStatistics.h"
 #include "gap/run/ImportUnits.h"
 #include "gap/run/OtherTables.h"
+#include "math/Median.h"
 
 namespace plumbline::gap {
 namespace {
@@ -90,7 +91,7 @@ void RecordingImport::takeTime(ImportedRun& result) {
     const Mechanism* robot = map_.head.rateHz > 0 ? nullptr : robot_();
     const double rate = map_.head.rateHz > 0 ? map_.head.rateHz : robot ? robot->controlHz : 100;
     try {
-      const GuessedUnit guess = guessTimeUnit(median(std::move(steps)), rate);
+      const GuessedUnit guess = guessTimeUnit(upperMedian(std::move(steps), NAN), rate);
       factor = *importUnit(guess.unit);
       result.guesses.push_back(recording_ + ": " + name + " is taken as " + guess.unit + ": " + guess.why);
     } catch (const UnclearUnit& unclear) {

@@ -20,7 +20,7 @@ using record::CdrInStream;
 constexpr std::size_t mostFiles = 10'000;
 constexpr const char* jointState = "sensor_msgs/msg/JointState";
 
-/// What a message says, by the column it stands in; names without the topic.
+/// The values of a message by column; names without the topic.
 using Values = std::vector<std::pair<std::string, double>>;
 
 std::vector<std::string> texts(CdrInStream& in) {

@@ -124,19 +124,19 @@ void writeRun(const Run& run, const std::string& folder, WriteRunOptions options
   const std::string table = tableText(run, options.digits), meta = metaText(run);
   std::string name = folder;
   while (name.size() > 1 && name.back() == '/') name.pop_back();
-  const fs::path place(name), beside(name + ".part");
+  const fs::path place(name), partial(name + ".part");
   std::error_code error;
   if (fs::exists(place, error)) throw RunError(name + ": exists already; remove it or choose another folder");
-  fs::remove_all(beside, error);
-  PartialFolder part(beside);
-  fs::create_directories(beside, error);
-  const bool good =
-      !error && writePlain(beside / "run.json", meta) &&
-      (options.packed ? writePacked(beside / "run.csv.gz", table) : writePlain(beside / "run.csv", table)) &&
-      syncToDisk((beside / "run.json").string()) &&
-      syncToDisk((beside / (options.packed ? "run.csv.gz" : "run.csv")).string()) &&
-      syncToDisk(beside.string());
-  if (good) fs::rename(beside, place, error);
+  fs::remove_all(partial, error);
+  PartialFolder part(partial);
+  fs::create_directories(partial, error);
+  const bool good = !error && writePlain(partial / "run.json", meta) &&
+                    (options.packed ? writePacked(partial / "run.csv.gz", table)
+                                    : writePlain(partial / "run.csv", table)) &&
+                    syncToDisk((partial / "run.json").string()) &&
+                    syncToDisk((partial / (options.packed ? "run.csv.gz" : "run.csv")).string()) &&
+                    syncToDisk(partial.string());
+  if (good) fs::rename(partial, place, error);
   if (!good || error)
     throw RunError(name + ": cannot be written: " + (error ? error.message() : std::strerror(errno)));
   part.keep();

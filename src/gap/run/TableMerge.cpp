@@ -8,6 +8,7 @@
 
 #include "gap/run/Channel.h"
 #include "gap/run/ColumnStatistics.h"
+#include "math/Median.h"
 
 namespace plumbline::gap {
 namespace {
@@ -166,7 +167,7 @@ private:
     if (next < one.t.size()) said += "; behind the last row: " + std::to_string(one.t.size() - next);
     if (const double gone = result_.t.back() - one.t.back(); gone > 1 && !options_.linearCommands)
       said += "; the last is held for " + seconds(gone) + " s";
-    const double shift = late.empty() ? 0 : median(late), most = farthest(late, shift);
+    const double shift = upperMedian(late), most = farthest(late, shift);
     if (!options_.linearCommands && !options_.timingStated && std::abs(shift) > shortest) {
       for (const std::string& name : names)
         if (const ChannelName channel = *parseChannel(name); channel.kind != ChannelKind::stiffness)
@@ -204,7 +205,7 @@ private:
       std::vector<double>& values = result_.channels[name];
       for (const std::size_t k : partner) values.push_back(k < one.t.size() ? column[k] : noValue);
     }
-    const double constant = shift != 0 ? median(apart) : 0;
+    const double constant = shift != 0 ? upperMedian(apart) : 0;
     if (constant != 0)
       for (const std::string& name : names) {
         const ChannelName channel = *parseChannel(name);

@@ -33,7 +33,7 @@ struct MergeOptions {
 
 /// Puts recordings onto the times of the one with positions (of several, the one with most rows in a second).
 /// A command is the one in force, the last at or before a row; with linearCommands it is interpolated between
-/// two, and lost outside them. A reading stands in the row nearest to it. Each reading has at most one row
+/// two, and lost outside them. A reading is put into the row nearest to it. Each reading has at most one row
 /// and each row at most one reading of a column; nothing is interpolated there, and cells without a partner
 /// are lost. A constant distance between the times of readings or commands and those of their rows goes into
 /// `timing`. Throws RunError: times that do not overlap.

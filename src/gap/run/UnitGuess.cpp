@@ -6,6 +6,7 @@
 
 #include "gap/run/ColumnStatistics.h"
 #include "gap/run/ImportUnits.h"
+#include "math/Median.h"
 
 namespace plumbline::gap {
 namespace {
@@ -47,7 +48,7 @@ double medianSize(const Raws& channels) {
   for (const Raw& raw : channels)
     for (const double x : *raw.values)
       if (!std::isnan(x)) sizes.push_back(std::abs(raw.factor * x));
-  return sizes.empty() ? 0 : median(std::move(sizes));
+  return upperMedian(std::move(sizes));
 }
 
 /// How a group of channels fits its joints' limits in a unit.

@@ -68,7 +68,7 @@ public:
   }
 
 private:
-  void tell(const std::string& stage, double share) const {
+  void report(const std::string& stage, double share) const {
     if (options_.progress) options_.progress(stage, share);
   }
 
@@ -127,7 +127,7 @@ private:
     std::vector<Look> list;
     std::size_t done = 0;
     for (const Setting& setting : settings()) {
-      tell(stage, 0.7 * static_cast<double>(done++) / static_cast<double>(settings().size()));
+      report(stage, 0.7 * static_cast<double>(done++) / static_cast<double>(settings().size()));
       if (std::ranges::any_of(base, [&](const SettingValue& v) { return v.setting == &setting; })) continue;
       Look look{&setting, valuesOf(setting), 0, std::numeric_limits<double>::infinity()};
       for (std::size_t i = 0; i < look.values.size(); ++i) {
@@ -143,7 +143,7 @@ private:
     const SetupFit left = evaluator_.of(start, Part::leftOut);
     std::vector<SettingCandidate> candidates;
     for (const Look& look : list) {
-      tell(stage, 0.7 + 0.3 * static_cast<double>(candidates.size()) / static_cast<double>(list.size()));
+      report(stage, 0.7 + 0.3 * static_cast<double>(candidates.size()) / static_cast<double>(list.size()));
       SettingCandidate c;
       c.value = {look.setting, look.values[look.best]};
       if (look.setting->kind == Setting::Kind::positive)

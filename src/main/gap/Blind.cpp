@@ -30,13 +30,13 @@ void make(BlindMakeOptions options, const std::string& battery) {
   options.jobs = threadsFor(options.jobs);
   // The tree's own program is found from any folder.
   if (options.program == BlindMakeOptions().program && !std::filesystem::exists(options.program))
-    if (const auto beside = std::filesystem::path(programFolder()) / ".." / options.program;
-        std::filesystem::exists(beside))
-      options.program = beside.lexically_normal().string();
+    if (const auto inTree = std::filesystem::path(programFolder()) / ".." / options.program;
+        std::filesystem::exists(inTree))
+      options.program = inTree.lexically_normal().string();
   ProgressLine line(false);
-  line.tell("cases", 0);
+  line.update("cases", 0);
   options.progress = [&](std::size_t done) {
-    line.tell("cases", static_cast<double>(done) / static_cast<double>(options.draw.cases));
+    line.update("cases", static_cast<double>(done) / static_cast<double>(options.draw.cases));
     std::printf("%zu/%zu\n", done, options.draw.cases);
     std::fflush(stdout);
   };
@@ -52,9 +52,9 @@ void plant(const BlindMakeOptions& options, std::vector<std::string> from, bool 
                              options.draw.cases, options.draw.seed,
                              options.output,     threadsFor(options.jobs)};
   ProgressLine line(false);
-  line.tell("cases", 0);
+  line.update("cases", 0);
   planting.progress = [&](std::size_t done) {
-    line.tell("cases", static_cast<double>(done) / static_cast<double>(planting.cases));
+    line.update("cases", static_cast<double>(done) / static_cast<double>(planting.cases));
     std::printf("%zu/%zu\n", done, planting.cases);
     std::fflush(stdout);
   };

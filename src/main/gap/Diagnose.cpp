@@ -120,7 +120,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   const bool toFile = !options.json.empty() && options.json != "-";
   if (toFile) makeFolderOf(options.json);
   std::optional<ProgressLine> line(std::in_place, options.quiet);
-  settings.progress = [&line](const std::string& stage, double share) { line->tell(stage, share); };
+  settings.progress = [&line](const std::string& stage, double share) { line->update(stage, share); };
   const auto say = [&line](const std::string& text) { line->say(text); };
   DiagnosisAttempts attempts(robot, settings, toFile ? options.json + ".searches" : "",
                              {options.quiet ? DiagnosisAttempts::Message() : say, say});

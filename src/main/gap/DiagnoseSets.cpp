@@ -85,14 +85,14 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
   AllJointFit further;
   {
     ProgressLine line(request.quiet);
-    options.progress = [&line](const std::string& stage, double share) { line.tell(stage, share); };
-    line.tell("noise of the readings", 0);
+    options.progress = [&line](const std::string& stage, double share) { line.update(stage, share); };
+    line.update("noise of the readings", 0);
     inference = infer(request.robot, trials, options);
     // If the named causes explain everything, nothing is left for the fit of all joints.
     if (inference.diagnosis.verdict == Verdict::unknown) {
       further = fitOfAllJoints(request.robot, trials, inference.diagnosis.explanation(),
                                inference.foundWithout, inference.leftOut, request.jobs,
-                               [&line](double share) { line.tell("all values of all joints", share); });
+                               [&line](double share) { line.update("all values of all joints", share); });
     }
   }
   const Evidence evidence(std::move(trials), inference.noises);

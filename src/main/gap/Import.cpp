@@ -37,7 +37,7 @@ void addImport(CommandLine& app) {
   command.whenChosen([options] {
     RecordingsFolder out(options->out, options->force);
     const ImportedRun imported = importRecordings(options->import);
-    writeRun(imported.run, out.beside());
+    writeRun(imported.run, out.partial());
     out.putInPlace();
     std::printf("%s: %zu cycles, %zu channels\n", options->out.c_str(), imported.run.size(),
                 imported.run.channels.size());

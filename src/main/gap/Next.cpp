@@ -38,8 +38,8 @@ void next(const NextOptions& options) {
   NextMotion found;
   {
     ProgressLine line(false);
-    line.tell("trying motions", 0);
-    search.progress = [&line](double share) { line.tell("trying motions", share); };
+    line.update("trying motions", 0);
+    search.progress = [&line](double share) { line.update("trying motions", share); };
     found = findNextMotion(robot, question.explanations, search);
   }
   if (!options.output.empty()) writeFile(options.output, excitationText(found.program, robot));

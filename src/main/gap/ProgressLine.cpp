@@ -46,7 +46,7 @@ void ProgressLine::write() {
   std::fflush(stderr);
 }
 
-void ProgressLine::tell(const std::string& what, double share) {
+void ProgressLine::update(const std::string& what, double share) {
   if (!shown_) return;
   const std::lock_guard lock(mutex_);
   stage_ = what;

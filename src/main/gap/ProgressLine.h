@@ -17,7 +17,7 @@ public:
   ProgressLine(const ProgressLine&) = delete;
   ProgressLine& operator=(const ProgressLine&) = delete;
 
-  void tell(const std::string& what, double share);
+  void update(const std::string& what, double share);
   /// Prints a message that the line does not overwrite, even if quiet.
   void say(const std::string& text);
 

@@ -130,7 +130,7 @@ void record(const RecordOptions& options) {
     recording.effects = {drawSecret(robot, programs, options.secret)};
     sealed = seal(simulation::effectsText(settingsOf(recording.effects), robot.name), options.secret) + "\n";
   }
-  const fs::path folder(output.beside());
+  const fs::path folder(output.partial());
   std::size_t done = 0;
   for (const Item& item : items) {
     StopSignal::throwIfCaught();

@@ -59,7 +59,7 @@ void RecordingsFolder::putInPlace() {
   fs::remove_all(old, ignored);
   const bool replaced = fs::exists(place_, ignored);
   // Exchanges both at once, if the file system can: a killed program leaves one or the other complete.
-  if (replaced && renameat2(AT_FDCWD, beside().c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0) {
+  if (replaced && renameat2(AT_FDCWD, partial().c_str(), AT_FDCWD, place_.c_str(), RENAME_EXCHANGE) == 0) {
     fs::remove_all(part_.path(), ignored);
     return;
   }

@@ -14,7 +14,7 @@ public:
   RecordingsFolder(const std::string& path, bool replace);
 
   /// The folder to write to meanwhile; it does not exist yet.
-  const std::string& beside() const { return part_.path().native(); }
+  const std::string& partial() const { return part_.path().native(); }
   /// Throws std::runtime_error "PATH: cannot be written: REASON"; the old folder stays then.
   void putInPlace();
 

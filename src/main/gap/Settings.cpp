@@ -37,7 +37,7 @@ void diagnose(const Options& options) {
   SettingsDiagnosis diagnosis;
   {
     ProgressLine line(options.quiet);
-    settings.progress = [&](const std::string& stage, double share) { line.tell(stage, share); };
+    settings.progress = [&](const std::string& stage, double share) { line.update(stage, share); };
     diagnosis = diagnoseSettings(evidence, nominal, settings);
   }
   timing.write(options.timing);

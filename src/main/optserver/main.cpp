@@ -166,7 +166,7 @@ int measureBoth(const Options& options) {
   StopSignal stop;
   stop.catchSignals();
   ProgressReport report("optserver");
-  report.tell("measuring");
+  report.update("measuring");
   measure(study, "start", study.space().start, options.measured, options.firstSeed);
   if (!searched) {
     fmt::print(stderr, "optserver: no {} was found: these are the figures of the start only\n", path);

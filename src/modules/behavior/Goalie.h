@@ -36,7 +36,7 @@ MODULE(Goalie)
             "it waits for shots that pass it later than in this time")
   PARAMETER(
       double, sureSeconds, 0.1, "s", Range(0, 2),
-      "it dives once a shot was for so long one to the same side: the first images tell little of its way")
+      "it dives once a shot was for so long one to the same side: the first images show little of its way")
   PARAMETER(double, stepSpeed, 0.3, "m/s", Range(0, 3), "with which it walks to the side, after stepDelay")
   PARAMETER(double, stepDelay, 0.5, "s", Range(0, 5), "until it walks to the side")
   PARAMETER(double, ballMaxAge, 4, "s", Range(0.1, 60), "a ball not seen for longer is searched")

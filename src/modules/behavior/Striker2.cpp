@@ -81,7 +81,7 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
   output.skill = Skill::stand;
   plays_ = false;
   if (theGameState->playMode != PlayMode::passOwn) passSince_ = theGameState->time;
-  // A goalie or supporter acts by its own behaviour, which stands before this one in modules.cfg: nothing is
+  // A goalie or supporter acts by its own behaviour, which comes before this one in modules.cfg: nothing is
   // worked out for it.
   if (thePlayerRole && thePlayerRole->members > 1 &&
       (thePlayerRole->supports() || thePlayerRole->role == PlayerRole::goalie)) {
@@ -115,7 +115,7 @@ StrikerOption Striker2::optionOf(const StrikerAction& action) const {
   StrikerOption option;
   option.action = Skill::dribble;
   if (action.kind == StrikerAction::Kind::kick) {
-    // Kicks are told apart by how far they carry, as in ActionChoice.
+    // Kicks are distinguished by how far they carry, as in ActionChoice.
     const auto& kicks = theSkillKickParameters->kicks;
     const auto kick = std::ranges::find(kicks, action.reach, &Kick::distance);
     option.action = kick != kicks.end() && !kick->motion.empty() ? kick->motion : Skill::kick;

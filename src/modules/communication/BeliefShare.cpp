@@ -109,7 +109,7 @@ void BeliefShare::update(TeamOtherRobots* theTeamOtherRobots) {
 }
 
 void BeliefShare::addOpponents(TeamBelief& belief) const {
-  // Round and round by number, from behind the one that was told last.
+  // In turn by number, beginning after the one that was sent last.
   for (int i = 1; i <= numPlayers && belief.opponents.size() < TeamBelief::maxOpponents; ++i) {
     const int number = (lastShared_ + i - 1) % numPlayers + 1;
     for (const OtherRobot& robot : theLocalOtherRobots->robots)

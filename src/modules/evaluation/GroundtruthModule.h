@@ -15,7 +15,7 @@ MODULE(GroundtruthModule)
 END_MODULE
 
 /// The true pose and ball instead of the estimated ones, for experiments; only where modules.cfg asks for it
-/// and the simulator tells (its ground truth option).
+/// and the simulator sends it (its ground truth option).
 class GroundtruthModule : public GroundtruthModuleBase {
 public:
   void execute() override;

@@ -89,9 +89,9 @@ ModulesConfig modulesOnLog(ModulesConfig modules, const AgentLogOptions& options
 
 std::shared_ptr<LogOptions> makeLog(const AgentLogOptions& options, const Controller& controller,
                                     const std::vector<std::string>& configDirectories,
-                                    std::function<void(const std::string&)> tell) {
+                                    std::function<void(const std::string&)> notify) {
   auto made = std::make_shared<LogOptions>();
-  made->tell = tell;
+  made->notify = notify;
   const LogParameters parameters = readLogParameters(configDirectories);
   made->representations = options.only.empty() ? parameters.representations : options.only;
   if (options.records()) checkNames(made->representations, controller);
@@ -104,7 +104,7 @@ std::shared_ptr<LogOptions> makeLog(const AgentLogOptions& options, const Contro
   recorder.bufferBytes = megabyte * static_cast<std::size_t>(parameters.bufferMegabytes);
   recorder.waits = options.waits || options.replays();  // nobody waits for a replay
   try {
-    made->recorder = std::make_shared<record::Recorder>(options.folder, recorder, std::move(tell));
+    made->recorder = std::make_shared<record::Recorder>(options.folder, recorder, std::move(notify));
   } catch (const std::runtime_error& error) {
     throw ConfigurationError(error.what());
   }

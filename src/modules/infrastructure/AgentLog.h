@@ -34,6 +34,6 @@ ModulesConfig modulesOnLog(ModulesConfig modules, const AgentLogOptions& options
 /// config/log.yaml says. Throws ConfigurationError.
 std::shared_ptr<LogOptions> makeLog(const AgentLogOptions& options, const Controller& controller,
                                     const std::vector<std::string>& configDirectories,
-                                    std::function<void(const std::string&)> tell);
+                                    std::function<void(const std::string&)> notify);
 
 }  // namespace plumbline

@@ -6,7 +6,7 @@
 
 namespace plumbline {
 
-/// Which file tells the sizes of the field; main gives it to the module's objects.
+/// The file with the sizes of the field; main gives it to the module's objects.
 struct FieldChoice {
   std::string file;  ///< empty: field.yaml of the configuration
 };

@@ -42,10 +42,10 @@ void DebugModule::init() {
   const std::string line =
       "debug port " + options->server.address + ':' + std::to_string(server_->port()) + ": bin/rdb";
   log << line;
-  if (options->tell)
-    options->tell(line + (server_->port() == inspect::DebugServerOptions::standardPort
-                              ? ""
-                              : " " + options->server.address + ':' + std::to_string(server_->port())));
+  if (options->notify)
+    options->notify(line + (server_->port() == inspect::DebugServerOptions::standardPort
+                                ? ""
+                                : " " + options->server.address + ':' + std::to_string(server_->port())));
 }
 
 /// As a client that asks for them and goes: what it switched on stays.

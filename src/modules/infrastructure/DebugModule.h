@@ -18,7 +18,7 @@ struct DebugOptions {
   std::vector<std::string> drawings;  ///< ids of those that are on from the start
   /// Makes something that talks to the server for as long as it lives, as a page; may be empty.
   std::function<std::shared_ptr<void>(inspect::DebugServer&)> serve;
-  std::function<void(const std::string&)> tell;  ///< takes a line that names the port; may be empty
+  std::function<void(const std::string&)> notify;  ///< takes a line that names the port; may be empty
 };
 
 MODULE(DebugModule)

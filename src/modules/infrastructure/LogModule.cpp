@@ -31,15 +31,15 @@ void LogModule::makePlayer() {
   player_ = std::make_unique<record::ReplayPlayer>(options_->replay->path(), thread_);
   number_ = options_->replay->addPlayer(player_->timestamps());
   if (number_ == 0 && debug_) points_ = std::make_unique<ReplayPoints>(*debug_, *options_->replay);
-  if (!options_->tell) return;
+  if (!options_->notify) return;
   const record::LogReader::Thread& recorded = player_->recorded();
   const std::string warning = "; what modules remember of them is missing";
   if (recorded.cycles.front().number > 1)
-    options_->tell(options_->replay->path() + " begins with cycle " +
-                   std::to_string(recorded.cycles.front().number) + ", those before are gone" + warning);
+    options_->notify(options_->replay->path() + " begins with cycle " +
+                     std::to_string(recorded.cycles.front().number) + ", those before are gone" + warning);
   if (const std::uint64_t missing = recorded.missing(); missing > 0)
-    options_->tell(options_->replay->path() + ": " + std::to_string(missing) +
-                   " cycles are missing in between" + warning);
+    options_->notify(options_->replay->path() + ": " + std::to_string(missing) +
+                     " cycles are missing in between" + warning);
 }
 
 void LogModule::provide(const RepresentationLoader& loader, Representation& target) {

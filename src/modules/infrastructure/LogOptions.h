@@ -24,10 +24,10 @@ struct LogParameters {
 
 /// What the special module `log` shall do; without such an object, nothing.
 struct LogOptions {
-  std::shared_ptr<record::Recorder> recorder;     ///< null: nothing is recorded
-  std::vector<std::string> representations;       ///< recorded; empty: all
-  std::shared_ptr<record::ReplayControl> replay;  ///< null: nothing is replayed
-  std::function<void(const std::string&)> tell;   ///< takes a line for the user; may be empty
+  std::shared_ptr<record::Recorder> recorder;      ///< null: nothing is recorded
+  std::vector<std::string> representations;        ///< recorded; empty: all
+  std::shared_ptr<record::ReplayControl> replay;   ///< null: nothing is replayed
+  std::function<void(const std::string&)> notify;  ///< takes a line for the user; may be empty
 };
 
 }  // namespace plumbline

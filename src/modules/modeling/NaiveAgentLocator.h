@@ -23,7 +23,7 @@ MODULE(NaiveAgentLocator)
   REQUIRES(FKModel)
   REQUIRES(RobotPose)
   PROVIDES(LocalOtherRobots)
-  PARAMETER_GROUP(BodyViewParameters, body, "what a robot's parts tell")
+  PARAMETER_GROUP(BodyViewParameters, body, "a robot's place from its visible parts")
   PARAMETER_GROUP(RobotTrack::Parameters, track, "the Kalman filter of each robot")
   PARAMETER(double, headingNoise, 0.02, "rad", Range(0, 1),
             "error of the own heading, by which far robots are misplaced")

@@ -10,7 +10,7 @@ namespace plumbline {
 MAKE_MODULE(MotionSelector)
 
 void MotionSelector::init() {
-  // Where main knows the robot, a name that nothing has is told before anything else starts.
+  // Where main knows the robot, an unknown name is reported before anything else starts.
   const RobotModel* robot = findObject<RobotModel>();
   if (!robot) return;
   const auto motions = readMotions(config, *robot);

@@ -9,7 +9,7 @@ MAKE_MODULE(SpecialActions)
 
 void SpecialActions::init() {
   edited_ = findObject<EditedMotion>();
-  // Where main knows the robot, a broken file is told before anything else starts.
+  // Where main knows the robot, a broken file is reported before anything else starts.
   if (const RobotModel* robot = findObject<RobotModel>()) readMotions(config, *robot);
 }
 

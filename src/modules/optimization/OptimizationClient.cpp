@@ -20,9 +20,9 @@ MAKE_MODULE(OptimizationClient)
 namespace {
 
 /// A number among a task's options; throws ConfigurationError for what is none.
-double number(const std::map<std::string, std::string>& options, const std::string& key, double otherwise) {
+double number(const std::map<std::string, std::string>& options, const std::string& key, double fallback) {
   const auto found = options.find(key);
-  if (found == options.end()) return otherwise;
+  if (found == options.end()) return fallback;
   double value = 0;
   const char* end = found->second.data() + found->second.size();
   if (std::from_chars(found->second.data(), end, value).ptr != end)
@@ -31,9 +31,9 @@ double number(const std::map<std::string, std::string>& options, const std::stri
 }
 
 std::string word(const std::map<std::string, std::string>& options, const std::string& key,
-                 const std::string& otherwise) {
+                 const std::string& fallback) {
   const auto found = options.find(key);
-  return found == options.end() ? otherwise : found->second;
+  return found == options.end() ? fallback : found->second;
 }
 
 }  // namespace

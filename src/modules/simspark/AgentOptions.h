@@ -17,7 +17,7 @@ struct AgentOptions {
   bool startSimulator = false;  ///< start a simulator of its own on free ports instead of connecting to host
   std::vector<std::string> simulatorOptions;  ///< passed to that simulator
   /// Called with a line that says what the agent waits for; may be empty.
-  std::function<void(const std::string&)> tell;
+  std::function<void(const std::string&)> notify;
 };
 
 }  // namespace plumbline

@@ -44,7 +44,7 @@ bool SimSparkConnection::startSimulator() {
     // It was asked to (--max-seconds): no accident to recover from.
     if (link_->simulator->process().exitStatus() == 0) {
       const std::string reason = "the simulator has ended";
-      tell(reason);
+      notify(reason);
       requestStop(0, reason);
       return false;
     }
@@ -76,7 +76,7 @@ bool SimSparkConnection::startSimulator() {
     removeFiles();
     log << "started " << simulatorProgram_ << " on port " << link_->simulator->ports().agent;
     if (const int web = link_->simulator->ports().web; web > 0)
-      tell("watch at http://localhost:" + std::to_string(web) + "/");
+      notify("watch at http://localhost:" + std::to_string(web) + "/");
   }
   link_->ports = link_->simulator->ports();
   return true;
@@ -101,7 +101,7 @@ bool SimSparkConnection::connect() {
       requestStop(1, why);
       break;
     }
-    if (!waitReported_) tell("waiting for a server: " + why);
+    if (!waitReported_) notify("waiting for a server: " + why);
     pause(connectPause);
   }
   return false;
@@ -149,7 +149,7 @@ void SimSparkConnection::lookForPlace(std::string_view text) {
   placed_ = text.find("(unum ") != std::string_view::npos;
   if (!placed_) return tellWait(steadySeconds() - phaseSince_);
   if (waitReported_ || wasHere_)
-    tell((wasHere_ ? "back on port " : "plays on port ") + std::to_string(link_->ports.agent));
+    notify((wasHere_ ? "back on port " : "plays on port ") + std::to_string(link_->ports.agent));
   waitReported_ = wasHere_ = false;
 }
 
@@ -158,14 +158,14 @@ void SimSparkConnection::tellWait(double seconds) {
   const bool due = !phaseReported_ && seconds > tellAfter;
   phaseReported_ = phaseReported_ || due;
   if (phase_ == Phase::scene && due)
-    tell("connected; port " + port +
-         " gives no robot yet: its clock may stand until all agents are connected");
+    notify("connected; port " + port +
+           " gives no robot yet: its clock may stand until all agents are connected");
   if (phase_ == Phase::scene) return;
   const std::string number =
       options_->number > 0 ? "number " + std::to_string(options_->number) : std::string("a number");
   if (due)
-    tell("port " + port + " gives no place in team " + options_->team + " yet: " + number +
-         " may be taken, the team full, or the clock stands");
+    notify("port " + port + " gives no place in team " + options_->team + " yet: " + number +
+           " may be taken, the team full, or the clock stopped");
   // Whoever has the number may go. Few enough requests not to be taken for a flood when the clock goes on.
   if (steadySeconds() - placeAsked_ > placeInterval && placeRequests_ < maxPlaceRequests) askForPlace();
 }
@@ -176,7 +176,7 @@ void SimSparkConnection::lost() {
   const std::string why = link_->connection.error();
   log << "connection lost: " << why;
   if (!reconnect) return requestStop(1, "connection to the simulator lost: " + why);
-  if (placed_ || !waitReported_) tell("connection lost: " + why + "; trying again");
+  if (placed_ || !waitReported_) notify("connection lost: " + why + "; trying again");
   wasHere_ = wasHere_ || placed_;
   // A server that sends us away is not asked again at once.
   if (phase_ != Phase::play) pause(refusedPause);
@@ -205,10 +205,10 @@ bool SimSparkConnection::receive() {
   return false;
 }
 
-void SimSparkConnection::tell(const std::string& line) {
+void SimSparkConnection::notify(const std::string& line) {
   waitReported_ = true;
   log << line;
-  if (options_->tell) options_->tell(line);
+  if (options_->notify) options_->notify(line);
 }
 
 void SimSparkConnection::pause(double seconds) const {

@@ -22,8 +22,8 @@ END_MODULE
 
 /// Receives one message of the simulator per cycle and so sets the agent's rate. Connects, requests the robot
 /// and its place in the team, and connects again after a disconnection. It can start its own simulator on
-/// free ports and restart it when it dies. It waits without a limit, says for what (AgentOptions::tell), and
-/// stops at once when the agent ends.
+/// free ports and restart it when it dies. It waits without a limit, says for what (AgentOptions::notify),
+/// and stops at once when the agent ends.
 class SimSparkConnection : public SimSparkConnectionBase {
 public:
   void init() override;
@@ -44,7 +44,7 @@ private:
   void lookForPlace(std::string_view text);
   void tellWait(double seconds);
   void lost();
-  void tell(const std::string& line);
+  void notify(const std::string& line);
   void pause(double seconds) const;
 
   const AgentOptions* options_ = nullptr;
@@ -55,10 +55,10 @@ private:
   double phaseSince_ = 0,
          placeAsked_ = 0;  ///< wall clock: when to say what is waited for decides nothing else
   int placeRequests_ = 0;
-  bool attached_ = false;       ///< connected as far as was told
+  bool attached_ = false;       ///< what was reported last: connected
   bool placed_ = false;         ///< the server has given a number
-  bool phaseReported_ = false;  ///< what this phase waits for was told
-  bool waitReported_ = false;   ///< something was told since the last message: so is that it goes on
+  bool phaseReported_ = false;  ///< what this phase waits for has been reported
+  bool waitReported_ = false;   ///< a wait was reported since the last message; then its end is, too
   bool wasHere_ = false;        ///< a server has been lost
   int restarts_ = 0;
   int connections_ = 0;

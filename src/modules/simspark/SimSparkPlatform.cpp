@@ -38,18 +38,18 @@ void SimSparkPlatform::check() const {
     throw ConfigurationError("--team: a team's name is " + std::string(simspark::teamNameRule));
   const bool printable = std::all_of(options_->token.begin(), options_->token.end(),
                                      [](char c) { return c > ' ' && c <= '~' && c != '(' && c != ')'; });
-  // A type that there is not is told before anything else starts.
+  // An unknown type is reported before anything else starts.
   simsparkRobot(options_->type);
   if (!printable) throw ConfigurationError("--token has bytes that no token has");
 }
 
 std::vector<std::string> SimSparkPlatform::configFolders(const std::string& config) const {
-  return {config + "/robots/type" + std::to_string(options_->type)};
+  return {config + "/robots/" + simsparkRobotName(options_->type)};
 }
 
 void SimSparkPlatform::addObjects(ModuleObjects& objects,
-                                  std::function<void(const std::string&)> tell) const {
-  options_->tell = std::move(tell);
+                                  std::function<void(const std::string&)> notify) const {
+  options_->notify = std::move(notify);
   objects.set(options_);
   objects.set(std::make_shared<RobotModel>(simsparkRobot(options_->type)));
   objects.set(std::make_shared<RobotTypes>(RobotTypes{simsparkRobotName}));

@@ -12,7 +12,7 @@ public:
   void declareOptions(CommandLine& app) override;
   void check() const override;
   std::vector<std::string> configFolders(const std::string& config) const override;
-  void addObjects(ModuleObjects& objects, std::function<void(const std::string&)> tell) const override;
+  void addObjects(ModuleObjects& objects, std::function<void(const std::string&)> notify) const override;
   std::vector<NeededModule> neededModules() const override;
   std::string examples() const override;
 

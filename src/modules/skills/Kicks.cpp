@@ -10,7 +10,7 @@ namespace plumbline {
 MAKE_MODULE(Kicks)
 
 void Kicks::init() {
-  // Where main knows the robot, a broken file is told before anything else starts.
+  // Where main knows the robot, a broken file is reported before anything else starts.
   if (const RobotModel* robot = findObject<RobotModel>()) read(*robot);
 }
 

@@ -45,7 +45,8 @@ std::string text(const Answer& answer);
 Hello readHello(std::string_view line);
 Answer readAnswer(std::string_view line);
 
-/// What a worker is told: a welcome, a trial, the end (`over`), or why the server drops it (`error`).
+/// What the server sends to a worker: a welcome, a trial, the end (`over`), or why the server drops it
+/// (`error`).
 struct ToWorker {
   std::optional<Welcome> welcome{};
   std::optional<Trial> trial{};

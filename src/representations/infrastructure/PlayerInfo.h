@@ -10,7 +10,7 @@ REPRESENTATION(PlayerInfo)
 class PlayerInfo : public PlayerInfoBase {
 public:
   std::string team;
-  int number = 0;     ///< 0 until the server told it
+  int number = 0;     ///< 0 until the server has assigned it
   std::string robot;  ///< name of its file in config/robots
   bool sideKnown = false;
   bool leftSide = true;  ///< own goal at x = -15 of the server's field

@@ -42,7 +42,7 @@ public:
   Vec2 walkVelocity = Vec2::Zero();  ///< [m/s]
   double walkTurn = 0;               ///< [rad/s]
   std::string specialAction;         ///< where motion is Motion::specialAction
-  bool atOnce = false;               ///< the motion does not wait until a walk stands
+  bool atOnce = false;               ///< the motion does not wait until a walk has stopped
   std::string kick;                  ///< where motion is Motion::kick
   Side kickFoot = Side::right;
   Vec2 kickBall = Vec2::Zero();  ///< the ball relative to the robot [m]

@@ -16,9 +16,9 @@ struct Wishes {
   double bounceVelocity = 0;
 };
 
-double mix(std::optional<double> a, std::optional<double> b, double otherwise) {
+double mix(std::optional<double> a, std::optional<double> b, double fallback) {
   if (a && b) return (*a + *b) / 2;
-  return a ? *a : b.value_or(otherwise);
+  return a ? *a : b.value_or(fallback);
 }
 
 ContactSurface mix(const Wishes& a, const Wishes& b, const PhysicsConfig& config) {

@@ -10,11 +10,11 @@ namespace {
 
 constexpr double lying = 0.15, upright = 0.25;  ///< height of a torso [m]
 constexpr double upFor = 0.5;                   ///< then it stands [s]
-constexpr double beside = 0.1;                  ///< the side line: further out nobody has to stand [m]
+constexpr double sideMargin = 0.1;              ///< the side line: further out nobody has to stand [m]
 
 void observePosture(const Match& match, Participant& player) {
   const Vec3 place = player.torso.pose.translation();
-  const bool onField = std::fabs(place.y()) < match.field.width / 2 + beside;
+  const bool onField = std::fabs(place.y()) < match.field.width / 2 + sideMargin;
   if (place.z() < upright && onField) {
     ++player.notStanding;
     player.standing = 0;

@@ -16,7 +16,7 @@ using simspark::TeamSide;
 /// State of the game, as the referee keeps it and everyone receives it.
 struct Game {
   PlayMode mode = PlayMode::beforeKickOff;
-  double time = 0;            ///< game clock [s]; stands before kick-off and after the end
+  double time = 0;            ///< game clock [s]; stopped before kick-off and after the end
   double stoppedTime = 0;     ///< since the last change to a mode in which the clock is stopped [s]
   double lastModeChange = 0;  ///< game time of it [s]
   int half = 1;

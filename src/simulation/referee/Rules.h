@@ -22,7 +22,7 @@ struct Rules {
     PARAMETER(bool, singleHalf, false, "", {}, "the game is over after the first half")
     PARAMETER(bool, changeSides, false, "", {}, "teams change ends for the second half")
     PARAMETER(bool, quitAfterGame, false, "", {}, "the simulator ends ten seconds after the game")
-    PARAMETER(double, waitForKickOff, 30, "s", Range::atLeast(0), "told to monitors only")
+    PARAMETER(double, waitForKickOff, 30, "s", Range::atLeast(0), "sent to monitors only")
     bool operator==(const Time&) const = default;
   };
   PARAMETER_GROUP(Time, time, "the clock")

@@ -30,10 +30,10 @@ void appendSection(std::string& text, const std::string& name, const std::string
 
 }  // namespace
 
-Rules readRules(const std::string& path, const Rules& otherwise) {
+Rules readRules(const std::string& path, const Rules& fallback) {
   const ConfigFile file(path);
   const ConfigSection& root = file.root();
-  Rules rules = otherwise;
+  Rules rules = fallback;
   readParameters(root, Rules::parameterList(), &rules);
   const auto& known = registeredRules();
   for (std::size_t i = 0; i < known.size(); ++i) {

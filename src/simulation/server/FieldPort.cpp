@@ -83,7 +83,7 @@ void FieldPort::receive(Viewer& viewer) {
   }
 }
 
-void FieldPort::tell() {
+void FieldPort::sendState() {
   if (viewers_.empty()) return;
   const double now = steadySeconds();
   text_.clear();

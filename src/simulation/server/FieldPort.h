@@ -27,7 +27,7 @@ public:
   void watch(std::vector<pollfd>& descriptors);
   void serve(const pollfd* events);
   /// Sends the changes since the last message to those whose turn it is.
-  void tell();
+  void sendState();
   void dropBroken();
 
 private:

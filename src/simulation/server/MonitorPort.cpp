@@ -100,7 +100,7 @@ void MonitorPort::carryOut(Monitor& monitor, const simspark::ClockCommand& comma
   const simspark::SimulatorClock& clock = clock_;  // what is sent to trainers of it
   const simspark::SimulatorClock before = clock;
   switch (command.kind) {
-    case Kind::tell:
+    case Kind::subscribe:
       monitor.clockAsked = true;
       break;
     case Kind::pause:
@@ -137,7 +137,7 @@ void MonitorPort::tellViewer(Monitor& monitor, bool regular) {
   monitor.viewStale = false;
 }
 
-void MonitorPort::tell(bool regular) {
+void MonitorPort::sendState(bool regular) {
   bool anyNew = false, anyInformed = false;
   for (const auto& monitor : monitors_) {
     if (!monitor->admitted || monitor->client.broken()) continue;

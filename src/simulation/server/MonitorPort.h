@@ -17,7 +17,7 @@ namespace plumbline::simulation {
 struct RunClock : simspark::SimulatorClock {
   int steps = 0;              ///< cycles to be done though it is paused
   std::uint64_t changes = 1;  ///< grows with every change that is sent to trainers
-  bool stands() const { return paused && steps == 0; }
+  bool stopped() const { return paused && steps == 0; }
 };
 
 /// Monitors and trainers: they get the scene and may command the simulation.
@@ -42,7 +42,7 @@ public:
   /// Carries out the trainers' commands. True if there were any.
   bool carryOut();
   /// Sends new monitors the whole scene, and, if a message is due, the others the changes.
-  void tell(bool regular);
+  void sendState(bool regular);
   bool due() const { return simulation_.cycle() % static_cast<std::uint64_t>(config_.interval) == 0; }
   /// Whether a client has not been sent yet that robots came or left.
   bool owe() const;

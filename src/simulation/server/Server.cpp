@@ -60,13 +60,13 @@ void Server::listen(int milliseconds) {
 }
 
 bool Server::clockIsStopped() const {
-  if (monitors_.clock().stands()) return true;
+  if (monitors_.clock().stopped()) return true;
   if (config_.waitForAgents == 0) return false;
   return agents_.numAgents() < (started_ ? 1 : config_.waitForAgents);
 }
 
 void Server::tellWait() {
-  if (monitors_.clock().stands()) return;  // a trainer wants it so
+  if (monitors_.clock().stopped()) return;  // a trainer wants it so
   const double now = steadySeconds();
   if (!stood_ || waitReported_ == 0) {
     waitReported_ = now;
@@ -77,7 +77,7 @@ void Server::tellWait() {
     return;
   const int wanted = started_ ? 1 : config_.waitForAgents;
   log_("waiting for " + std::to_string(wanted) + (wanted == 1 ? " agent" : " agents") + " on port " +
-       std::to_string(agentPort()) + ", " + std::to_string(here) + " so far; the clock stands" +
+       std::to_string(agentPort()) + ", " + std::to_string(here) + " so far; the clock is stopped" +
        (config_.maxSeconds ? ", and the time until the end is simulated time" : ""));
   waitReported_ = now;
   agentsReported_ = here;
@@ -91,7 +91,7 @@ bool Server::collect() {
   if (!clockIsStopped()) {
     if (agents_.ready()) return true;
     // A client that comes during a wait for agents sees at least where everything is.
-    monitors_.tell(false);
+    monitors_.sendState(false);
     tellField();
     return false;
   }
@@ -101,7 +101,7 @@ bool Server::collect() {
   agents_.dropBroken();
   // Otherwise the last changes, or a robot that left, would only be seen when the clock goes on.
   const bool stopsNow = !std::exchange(stood_, true);
-  monitors_.tell(commanded || stopsNow || monitors_.owe());
+  monitors_.sendState(commanded || stopsNow || monitors_.owe());
   tellField();
   return false;
 }
@@ -124,7 +124,7 @@ void Server::cycle() {
   RunClock& clock = monitors_.clock();
   if (clock.steps > 0) --clock.steps;
   if (clock.speed > 0) waitForClock();
-  monitors_.tell(monitors_.due() || clock.paused);
+  monitors_.sendState(monitors_.due() || clock.paused);
   tellField();
   agents_.dropBroken();
   ++statistics_.cycles;
@@ -132,7 +132,7 @@ void Server::cycle() {
 
 void Server::tellField() {
   if (!field_) return;
-  field_->tell();
+  field_->sendState();
   field_->dropBroken();
 }
 

@@ -34,8 +34,8 @@ WalkPoint walked(WalkPoint point, const Vec3& request, const WalkLimits& limits,
   speed.z() = towards(speed.z(), goal.z(), limits.accelerationTurn * seconds);
   const double used = std::abs(speed.x()) / (speed.x() >= 0 ? limits.forward : limits.backward);
   const double rest = std::max(leastShare, 1 - used);
-  const double beside = std::hypot(speed.y() / limits.sideways, speed.z() / limits.turn);
-  if (beside > rest) speed.tail<2>() *= rest / beside;
+  const double aside = std::hypot(speed.y() / limits.sideways, speed.z() / limits.turn);
+  if (aside > rest) speed.tail<2>() *= rest / aside;
   return coasted(point, seconds);
 }
 

@@ -51,7 +51,7 @@ struct WalkToPoseParameters {
 struct WalkCommand {
   Vec2 velocity = Vec2::Zero();
   double turn = 0;
-  bool sprint = false;  ///< to be told to walkToPose in the next cycle
+  bool sprint = false;  ///< input of walkToPose in the next cycle
 };
 
 /// The walk that brings the robot to a pose given in its own frame: far away it faces the way it goes, near

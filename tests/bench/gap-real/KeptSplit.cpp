@@ -1,6 +1,7 @@
 #include "KeptSplit.h"
 
 #include <cstdio>
+#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -21,7 +22,7 @@ std::string text(const char* format, double a) {
   return buffer;
 }
 
-void tellFindings(std::ostream& page, const RealResult& r) {
+void writeFindings(std::ostream& page, const RealResult& r) {
   page << "\n| cause | value | interval | probability | closes alone | closes last | or |\n"
           "|---|---|---|---|---|---|---|\n";
   for (const gap::Finding& f : r.diagnosis.findings) {
@@ -37,15 +38,40 @@ void tellFindings(std::ostream& page, const RealResult& r) {
   }
 }
 
-std::string pageOf(const RealSplit& split, const RealResult& r) {
+/// Mean over the tests that count of the share closed, without a floor: what a claim is about.
+double meanClosed(const RealSplit& split, const RealResult& r) {
+  double sum = 0, n = 0;
+  for (const TestError& e : r.tests) {
+    if (!split.repeats.empty() && !e.repeated) continue;
+    sum += 1 - e.after / e.before;
+    ++n;
+  }
+  return sum / n;
+}
+
+std::string today() {
+  const std::time_t now = std::time(nullptr);
+  char buffer[16];
+  std::strftime(buffer, sizeof buffer, "%Y-%m-%d", std::gmtime(&now));
+  return buffer;
+}
+
+std::string pageOf(const RealSplit& split, const RealResult& r, Method method) {
   std::ostringstream page;
-  page << "\n### " << split.name << ": " << split.what << "\n\nVerdict " << nameOf(r.diagnosis.verdict)
+  page << "\n### " << split.name << " by " << nameOf(method) << ": " << split.what << "\n\nVerdict "
+       << nameOf(r.diagnosis.verdict)
        << "; position, root mean square over the tests: " << text("%.1f", 1000 * r.before) << " mrad before, "
        << text("%.1f", 1000 * r.after) << " after, floor "
        << (r.floor > 0 ? text("%.1f", 1000 * r.floor) : "none known (no repeats)") << ": **"
        << text("%.0f %%", 100 * r.closed()) << " closed**. The diagnosis took " << text("%.0f", r.seconds)
-       << " s.\n";
-  tellFindings(page, r);
+       << " s of the processor.";
+  if (r.claim)
+    page << " It claims " << text("%.0f", 100 * r.claim->closed) << " % ("
+         << text("%.0f", 100 * r.claim->lower) << " to " << text("%.0f", 100 * r.claim->upper)
+         << ") of a recording that it has not seen; the tests' mean is "
+         << text("%.0f %%", 100 * meanClosed(split, r)) << ".";
+  page << "\n";
+  writeFindings(page, r);
   page << "\n| test | before, mrad | after, mrad | floor, mrad | closed |\n|---|---|---|---|---|\n";
   for (const TestError& e : r.tests)
     page << "| " << e.run << (split.repeats.empty() || e.repeated ? "" : " (does not count)") << " | "
@@ -57,15 +83,16 @@ std::string pageOf(const RealSplit& split, const RealResult& r) {
 
 }  // namespace
 
-KeptSplit::KeptSplit(const std::string& folder, const std::string& robot, const std::string& split)
-    : id_(robot + "." + split), file_(folder + "/" + id_ + ".json") {}
+KeptSplit::KeptSplit(const std::string& folder, const std::string& robot, const std::string& split,
+                     Method method)
+    : id_(robot + "." + split + "." + nameOf(method)), method_(method), file_(folder + "/" + id_ + ".json") {}
 
 bool KeptSplit::done() const { return std::filesystem::exists(file_); }
 
 json KeptSplit::read() const {
   std::ifstream stream(file_);
   json piece = json::parse(stream, nullptr, false);
-  if (!piece.is_object() || !piece.contains("page") || !piece.contains("figures"))
+  if (!piece.is_object() || !piece.contains("page") || !piece.contains("figures") || !piece.contains("mean"))
     throw std::runtime_error(file_ + " is not what a split leaves; remove it and run again");
   return piece;
 }
@@ -78,7 +105,15 @@ void KeptSplit::write(const RealSplit& split, const RealResult& r) const {
        {"better", "higher"},
        {"target", 0.7}},
       {{"name", "gap-real.time." + id_}, {"value", r.seconds}, {"unit", "s"}, {"better", "lower"}}};
-  writeFile(file_, json{{"page", pageOf(split, r)}, {"figures", figures}}.dump(1) + "\n");
+  json kept{{"page", pageOf(split, r, method_)},
+            {"figures", figures},
+            {"closed", r.closed()},
+            {"mean", meanClosed(split, r)},
+            {"seconds", r.seconds},
+            {"date", today()},
+            {"claimed", nullptr}};
+  if (r.claim) kept["claimed"] = r.claim->closed;
+  writeFile(file_, kept.dump(1) + "\n");
   std::printf("%s: %.1f -> %.1f mrad, floor %.1f, closed %.0f %%, %s, %.0f s\n", id_.c_str(), 1000 * r.before,
               1000 * r.after, 1000 * r.floor, 100 * r.closed(), nameOf(r.diagnosis.verdict), r.seconds);
   for (const gap::Finding& f : r.diagnosis.findings)

@@ -7,10 +7,11 @@
 namespace plumbline::bench {
 
 /// What a split came to, kept in a folder so that a run that was stopped goes on and a split can be run
-/// alone: <folder>/<robot>.<split>.json with "page" (Markdown) and "figures".
+/// alone: <folder>/<robot>.<split>.<method>.json with "page" (Markdown), "figures", "closed", "mean",
+/// "claimed" (null: blocks claim nothing of this kind) and "date".
 class KeptSplit {
 public:
-  KeptSplit(const std::string& folder, const std::string& robot, const std::string& split);
+  KeptSplit(const std::string& folder, const std::string& robot, const std::string& split, Method method);
 
   bool done() const;
   /// Errors: none of it there, or not readable (std::runtime_error with the file's name).
@@ -18,7 +19,8 @@ public:
   void write(const RealSplit& split, const RealResult& result) const;
 
 private:
-  std::string id_;  ///< <robot>.<split>
+  std::string id_;  ///< <robot>.<split>.<method>
+  Method method_;
   std::string file_;
 };
 

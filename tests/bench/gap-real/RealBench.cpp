@@ -4,9 +4,11 @@
 //   JOBS   threads [as many as cores]
 //   ROBOT  xl330 or so101 alone
 //   SPLIT  one split alone: kp100, kp200, kp800 of xl330; a, b, c of so101
+//   METHOD sets or blocks [sets]
 // A split that is in build/bench/gap-real-splits is taken as it is, so a run that was stopped goes on, and
 // the page holds every split that was run; after a change of the diagnosis remove that folder.
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -31,8 +33,31 @@ constexpr const char* head =
     "(before - floor). Nothing is random but the search, whose seed is fixed. A verdict of unknown says that "
     "more remains than noise: these robots have more to them than the causes named.\n";
 
+/// One line per split: both methods, as far as they were run.
+std::string summaryOf(const RealRobot& robot) {
+  std::string rows;
+  for (const RealSplit& split : robot.splits)
+    for (const Method method : {Method::sets, Method::blocks}) {
+      const KeptSplit kept(splitsFolder, robot.id, split.name, method);
+      if (!kept.done()) continue;
+      const json one = kept.read();
+      const auto percent = [&one](const char* key) {
+        if (one[key].is_null()) return std::string();
+        char buffer[32];
+        std::snprintf(buffer, sizeof buffer, "%.0f %%", 100 * one[key].get<double>());
+        return std::string(buffer);
+      };
+      rows += "| " + robot.id + " " + split.name + " | " + nameOf(method) + " | " + percent("closed") +
+              " | " + percent("mean") + " | " + percent("claimed") + " | " +
+              std::to_string(std::lround(one["seconds"].get<double>())) + " | " +
+              one["date"].get<std::string>() + " |\n";
+    }
+  return rows;
+}
+
 struct Wanted {
   std::string folder, robot, split;
+  Method method = Method::sets;
   int jobs = 1;
 };
 
@@ -42,6 +67,10 @@ Wanted wantedOf() {
     return std::string(value && *value ? value : otherwise);
   };
   Wanted w{given("DATA", "../shared/gap/real"), given("ROBOT", ""), given("SPLIT", "")};
+  const std::string method = given("METHOD", "sets");
+  if (method != "sets" && method != "blocks")
+    throw std::runtime_error("METHOD=" + method + " is neither sets nor blocks");
+  if (method == "blocks") w.method = Method::blocks;
   const std::string jobs = given("JOBS", "");
   if (jobs.find_first_not_of("0123456789") != std::string::npos || jobs.size() > 3)
     throw std::runtime_error("JOBS=" + jobs + " is no number of threads");
@@ -73,17 +102,23 @@ void check(const Wanted& wanted, const std::vector<RealRobot>& robots) {
 }
 
 void writePage(const std::vector<RealRobot>& robots) {
-  std::string page = head;
+  std::string page = head, rows;
+  for (const RealRobot& robot : robots) rows += summaryOf(robot);
+  page +=
+      "\n| recordings | method | closed | mean of the tests, no floor | claimed | CPU s | measured on "
+      "|\n|---|---|---|---|---|---|---|\n" +
+      rows;
   json figures = json::array();
   for (const RealRobot& robot : robots) {
     std::string pages;
-    for (const RealSplit& split : robot.splits) {
-      const KeptSplit kept(splitsFolder, robot.id, split.name);
-      if (!kept.done()) continue;
-      const json one = kept.read();
-      pages += one["page"].get<std::string>();
-      figures.insert(figures.end(), one["figures"].begin(), one["figures"].end());
-    }
+    for (const RealSplit& split : robot.splits)
+      for (const Method method : {Method::sets, Method::blocks}) {
+        const KeptSplit kept(splitsFolder, robot.id, split.name, method);
+        if (!kept.done()) continue;
+        const json one = kept.read();
+        pages += one["page"].get<std::string>();
+        figures.insert(figures.end(), one["figures"].begin(), one["figures"].end());
+      }
     if (!pages.empty()) page += "\n## " + robot.title + "\n\n" + robot.about + pages + "\n" + robot.limits;
   }
   writeFile("build/bench/gap-real.md", page);
@@ -96,12 +131,12 @@ void run(const Wanted& wanted) {
   std::filesystem::create_directories(splitsFolder);
   for (const RealRobot& robot : robots)
     for (const RealSplit& split : robot.splits) {
-      const KeptSplit kept(splitsFolder, robot.id, split.name);
+      const KeptSplit kept(splitsFolder, robot.id, split.name, wanted.method);
       if (!takes(wanted, robot, split) || kept.done()) continue;
       std::printf("%s %s: %s\n", robot.id.c_str(), split.name.c_str(), split.what.c_str());
       std::fflush(stdout);
       kept.write(split, runSplit(split, robot.model, wanted.folder + "/" + robot.folder, robot.maxCauses,
-                                 wanted.jobs));
+                                 wanted.jobs, wanted.method));
       writePage(robots);
     }
   writePage(robots);
@@ -113,7 +148,7 @@ void run(const Wanted& wanted) {
 int main(int argc, char** argv) try {
   if (argc > 1)
     throw std::runtime_error(std::string(argv[1]) +
-                             " is not known: DATA, JOBS, ROBOT and SPLIT of the environment are");
+                             " is not known: DATA, JOBS, ROBOT, SPLIT and METHOD of the environment are");
   plumbline::bench::run(plumbline::bench::wantedOf());
 } catch (const std::exception& problem) {
   std::fprintf(stderr, "bench gap-real: %s\n", problem.what());

@@ -1,12 +1,13 @@
 #include "RealRuns.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <ctime>
 #include <string>
 
 #include "gap/diagnosis/CauseSearch.h"
+#include "gap/inference/Inference.h"
 #include "gap/replay/Segments.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunCheck.h"
@@ -20,8 +21,41 @@ using namespace gap;
 
 constexpr double startSeconds = 0.3;  // what came before a recording still rings
 
-double since(std::chrono::steady_clock::time_point begin) {
-  return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+double processorSeconds() {
+  timespec time{};
+  clock_gettime(CLOCK_PROCESS_CPUTIME_ID, &time);
+  return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+}
+
+/// Prints each stage once, with the seconds of the processor so far.
+auto stagePrinter() {
+  return [last = std::string(), begin = processorSeconds()](const std::string& stage, double) mutable {
+    if (stage == last) return;
+    last = stage;
+    std::printf("  %6.0f s  %s\n", processorSeconds() - begin, stage.c_str());
+    std::fflush(stdout);
+  };
+}
+
+void diagnoseByBlocks(const Mechanism& robot, std::vector<Trial> fit, std::size_t maxCauses, int jobs,
+                      RealResult& result) {
+  const Evidence evidence(std::move(fit));
+  Evaluator fine(robot, evidence);
+  Evaluator coarse(robot, evidence, coarseSteps());
+  DiagnosisOptions options;
+  options.jobs = jobs;
+  options.maxCauses = maxCauses;
+  options.progress = stagePrinter();
+  result.diagnosis = diagnose(fine, coarse, options);
+}
+
+void diagnoseBySets(const Mechanism& robot, const std::vector<Trial>& fit, int jobs, RealResult& result) {
+  InferenceOptions options;
+  options.jobs = jobs;
+  options.progress = stagePrinter();
+  const Inference inference = infer(robot, fit, options);
+  result.diagnosis = inference.diagnosis;
+  result.claim = inference.claim;
 }
 
 Trial trialAt(const std::string& folder, const Mechanism& robot) {
@@ -83,8 +117,10 @@ double repeatFloor(const Trial& a, const Trial& b) {
 
 }  // namespace
 
+const char* nameOf(Method method) { return method == Method::sets ? "sets" : "blocks"; }
+
 RealResult runSplit(const RealSplit& split, const std::string& robotName, const std::string& folder,
-                    std::size_t maxCauses, int jobs) {
+                    std::size_t maxCauses, int jobs, Method method) {
   const Mechanism robot = findMechanism(robotName);
   std::vector<Trial> fit, test;
   for (const std::string& run : split.fit)
@@ -93,21 +129,12 @@ RealResult runSplit(const RealSplit& split, const std::string& robotName, const 
   for (const std::string& run : split.test) test.push_back(trialAt(folder + "/" + run, robot));
 
   RealResult result;
-  const auto begin = std::chrono::steady_clock::now();
-  const Evidence evidence(std::move(fit));
-  Evaluator fine(robot, evidence);
-  Evaluator coarse(robot, evidence, coarseSteps());
-  DiagnosisOptions options;
-  options.jobs = jobs;
-  options.maxCauses = maxCauses;
-  options.progress = [last = std::string(), begin](const std::string& stage, double) mutable {
-    if (stage == last) return;
-    last = stage;
-    std::printf("  %6.0f s  %s\n", since(begin), stage.c_str());
-    std::fflush(stdout);
-  };
-  result.diagnosis = diagnose(fine, coarse, options);
-  result.seconds = since(begin);
+  const double begin = processorSeconds();
+  if (method == Method::sets)
+    diagnoseBySets(robot, fit, jobs, result);
+  else
+    diagnoseByBlocks(robot, std::move(fit), maxCauses, jobs, result);
+  result.seconds = processorSeconds() - begin;
 
   const Evidence tests(test);
   Evaluator judge(robot, tests);
@@ -118,7 +145,7 @@ RealResult runSplit(const RealSplit& split, const std::string& robotName, const 
     return predictions;
   };
   const std::vector<Prediction> nominal = predictionsWith({}),
-                                corrected = predictionsWith(result.diagnosis.explanation());
+                                corrected = predictionsWith(result.diagnosis.replayed());
   double before = 0, after = 0, floor = 0, n = 0;
   for (std::size_t t = 0; t < test.size(); ++t) {
     TestError error{split.test[t], rmsOf(test[t], nominal[t]), rmsOf(test[t], corrected[t]), 0, false};

@@ -50,7 +50,7 @@ stateOf() { git -C "$1" log -1 --format='commit %h of %cs' 2> /dev/null || echo 
 echo "$seeds seeds from $seed on, types $types, at most $limit s, $jobs at once"
 play "$PWD" "$work/now.tsv"
 cp -r config "$work/config"
-rm "$work"/config/robots/type*/motions/kick{Long,Shot}.yaml
+rm "$work"/config/robots/simspark_type*/motions/kick{Long,Shot}.yaml
 play "$PWD" "$work/hand.tsv" "$work/config"
 before=tests/bench/goal/before.tsv
 if [[ ${BEFORE-} ]]; then

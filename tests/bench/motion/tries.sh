@@ -27,7 +27,7 @@ add() { # NAME VALUE UNIT BETTER
   printf '{"name": "motion.tries%s.%s", "value": %s, "unit": "%s", "better": "%s"}\n' "$tries" "$1" "$2" "$3" "$4" >> "$scratch/json"
 }
 percent() { awk -v x="$1" 'BEGIN { printf "%.1f", 100 * x }'; }
-has() { [[ -f config/robots/type$1/motions/$2.yaml || -f config/motions/$2.yaml ]]; }
+has() { [[ -f config/robots/simspark_type$1/motions/$2.yaml || -f config/motions/$2.yaml ]]; }
 
 for type in ${TYPES-0 1 2 3 4}; do
   for engine in ode bullet; do

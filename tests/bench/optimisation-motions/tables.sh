@@ -11,13 +11,13 @@ trap 'rm -rf "$scratch"' EXIT
 mkdir -p build/bench
 cp -r config "$scratch/config"
 for folder in tests/bench/optimisation-motions/by-hand/type*/; do
-  for file in "$folder"*.yaml; do cp "$file" "$scratch/config/robots/$(basename "$folder")/motions/$(basename "$file" .yaml)ByHand.yaml"; done
+  for file in "$folder"*.yaml; do cp "$file" "$scratch/config/robots/simspark_$(basename "$folder")/motions/$(basename "$file" .yaml)ByHand.yaml"; done
 done
 : > "$scratch/measured.tsv"
 
 measure() { # KIND (hand or search), TASK, TYPE, MOTION, more options
   local motion=$4 words i
-  if [[ $1 == hand && -f $scratch/config/robots/type$3/motions/$4ByHand.yaml ]]; then motion=$4ByHand; fi
+  if [[ $1 == hand && -f $scratch/config/robots/simspark_type$3/motions/$4ByHand.yaml ]]; then motion=$4ByHand; fi
   printf 'task: %s\noptions: {type: %s, motion: %s%s}\n' "$2" "$3" "$motion" "${5:+, $5}" > "$scratch/study.yaml"
   read -ra words < <(bin/optserver "$scratch/study.yaml" --config "$scratch/config" --folder "$scratch/none" --measure "$tries" \
     --first-seed "$first" 2> "$scratch/log") || { cat "$scratch/log" >&2; exit 1; }

@@ -173,7 +173,7 @@ TEST_F(RunImport, aMapOfAnotherNumberOfRecordingsIsRefused) {
       "map.yaml:5: tables[0].time.from is \"sent\", which b.csv has no column of (recordings are in the "
       "order of tables)");
   EXPECT_EQ(refused(twoMaps + "time: {from: t}\n", {{"a.csv", sent}, {"b.csv", taken}}),
-            "map.yaml:10: time stands beside tables; move it into an entry of tables");
+            "map.yaml:10: time is not allowed next to tables; move it into an entry of tables");
   std::string twice = twoMaps;
   twice.replace(twice.find("pos.*"), 5, "cmd.*");
   EXPECT_EQ(refused(twice, {{"a.csv", sent}, {"b.csv", taken}}),

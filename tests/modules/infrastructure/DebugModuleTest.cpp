@@ -19,7 +19,7 @@ class DebugModuleTest : public testing::Test {
 protected:
   DebugModuleTest() {
     options->server.port = 0;
-    options->tell = [this](const std::string& line) { told.push_back(line); };
+    options->notify = [this](const std::string& line) { told.push_back(line); };
   }
   /// What the server answers to a client within the program.
   static std::string ask(inspect::DebugServer& server, const std::string& command) {

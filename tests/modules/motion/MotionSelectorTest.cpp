@@ -30,7 +30,7 @@ struct Selector : public MotionSelector {
 
 class MotionSelectorTest : public testing::Test {
 protected:
-  MotionSelectorTest() : selector("MotionSelector", {"config", "config/robots/type0"}) {
+  MotionSelectorTest() : selector("MotionSelector", {"config", "config/robots/simspark_type0"}) {
     selector->theFrameInfo = &frame;
     selector->theMotionRequest = &request;
     selector->theFallState = &fall;

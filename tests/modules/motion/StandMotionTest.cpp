@@ -18,14 +18,14 @@ protected:
     robot.name = robot.model.name;
     harness.cycle();
   }
-  test::ModuleHarness<StandMotion> harness{{"config", "config/robots/type0"}};
+  test::ModuleHarness<StandMotion> harness{{"config", "config/robots/simspark_type0"}};
   RobotDescription& robot = harness.input<RobotDescription>();
   const StandOutput& output = harness.output<StandOutput>();
 };
 
 TEST_F(StandMotionTest, standsAsTheWalkDoesBetweenSteps) {
   robotIs(0);
-  ConfigStore config({"config", "config/robots/type0"});
+  ConfigStore config({"config", "config/robots/simspark_type0"});
   walking::WalkEngine engine(walking::readWalkGaits(config.file("walking").root()), simsparkRobot(0));
   EXPECT_EQ(output.targets.angles, engine.stand().angles);
   EXPECT_GT(output.targets.angles[lKneePitch], 0.3);

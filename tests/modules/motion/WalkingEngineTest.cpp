@@ -85,7 +85,7 @@ TEST(WalkingEngineTest, walksWhileSelectedAndStopsForOthers) {
 
 class WalkParametersAtRunTime : public testing::Test {
 protected:
-  ModuleUnderTest<Engine> engine{"WalkingEngine", {"config", "config/robots/type0"}};
+  ModuleUnderTest<Engine> engine{"WalkingEngine", {"config", "config/robots/simspark_type0"}};
 
   std::string get(const std::string& path) {
     return moduleParameter(*engine.operator->(), Engine::moduleDescription(), path);

@@ -9,7 +9,7 @@ void ScriptedPlatform::declareOptions(CommandLine& app) {
 }
 
 std::vector<std::string> ScriptedPlatform::configFolders(const std::string& config) const {
-  return {config + "/robots/type0"};
+  return {config + "/robots/simspark_type0"};
 }
 
 void ScriptedPlatform::addObjects(ModuleObjects& objects, std::function<void(const std::string&)>) const {

@@ -19,7 +19,7 @@ class ScriptedPlatform : public Platform {
 public:
   void declareOptions(CommandLine& app) override;
   std::vector<std::string> configFolders(const std::string& config) const override;
-  void addObjects(ModuleObjects& objects, std::function<void(const std::string&)> tell) const override;
+  void addObjects(ModuleObjects& objects, std::function<void(const std::string&)> notify) const override;
   std::vector<NeededModule> neededModules() const override;
 
 private:

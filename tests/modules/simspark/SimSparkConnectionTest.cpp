@@ -85,7 +85,7 @@ TEST(SimSparkConnection, namesTheTokenFirstAndSaysWhatItLost) {
   auto options = optionsFor(server);
   options->token = "secret";
   std::vector<std::string> lines;
-  options->tell = [&](const std::string& line) { lines.push_back(line); };
+  options->notify = [&](const std::string& line) { lines.push_back(line); };
   test::ModuleHarness<SimSparkConnection> harness;
   harness.objects().set(options);
   harness.cycle(2);

@@ -88,7 +88,7 @@ TEST(WalkGaits, recoveryIsBlendedOverWhateverIsWalked) {
 }
 
 TEST(WalkGaits, aCornersMissingKeyIsTheBases) {
-  const ConfigFile file("walking", {"config", "config/robots/type0"});
+  const ConfigFile file("walking", {"config", "config/robots/simspark_type0"});
   const WalkGaits gaits = readWalkGaits(file.root());
   file.checkUnknown();
   EXPECT_NO_THROW(gaits.check());

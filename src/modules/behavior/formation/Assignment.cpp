@@ -11,7 +11,7 @@ std::vector<int> assign(const std::vector<std::vector<double>>& cost) {
   const std::size_t jobs = cost[0].size();
   if (jobs < workers) throw std::invalid_argument("assign: fewer jobs than workers");
   constexpr double infinite = std::numeric_limits<double>::infinity();
-  // Index 0 stands for nobody; workers and jobs count from 1.
+  // Index 0 is nobody; workers and jobs count from 1.
   std::vector<double> priceOfWorker(workers + 1, 0), priceOfJob(jobs + 1, 0);
   std::vector<std::size_t> workerOf(jobs + 1, 0), before(jobs + 1, 0);
   for (std::size_t worker = 1; worker <= workers; ++worker) {

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::size_t maxBytes = 1 << 20;
-constexpr double sameNumber = 5e-3;  ///< what two decimals cannot tell apart [m]
+constexpr double sameNumber = 5e-3;  ///< what two decimals cannot distinguish [m]
 
 using Table = std::vector<std::vector<double>>;
 

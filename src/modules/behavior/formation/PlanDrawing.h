@@ -11,7 +11,7 @@ namespace plumbline {
 std::string roleText(int role);
 
 /// Draws a player's role: its text at the place of the role, and a line from the player to there. The place
-/// of a striker is the ball. A goalie has none, and the text stands at the player. Team's frame [m]; number:
+/// of a striker is the ball. A goalie has none, and the text is at the player. Team's frame [m]; number:
 /// in the text, 0 leaves it out.
 void drawRole(Drawing& drawing, const Vec2& player, int number, int role, const Vec2& ball,
               const std::vector<Vec2>& places, const shapes::Colour& colour);

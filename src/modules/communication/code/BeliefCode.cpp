@@ -53,7 +53,7 @@ Vec2 readPoint(SayBits& bits, int forX, int forY) {
 void writeBall(SayBits& bits, const TeamBelief& belief) {
   bits.write(belief.ballKnown ? codeOfAge(belief.ballAge) : unknownAge, ageBits);
   writePoint(bits, belief.ball, ballXBits, ballYBits);
-  // A ball at rest is told exactly: the steps lie around zero.
+  // A ball at rest is sent exactly: zero is one of the steps.
   constexpr double half = maxSpeed / (1 << speedBits);
   for (const double v : {belief.ballVelocity.x(), belief.ballVelocity.y()})
     bits.write(quantise(v, -maxSpeed - half, maxSpeed - half, speedBits), speedBits);

@@ -19,7 +19,7 @@ void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
     settledFor_ = firstSettled;
     fresh_ = false;
   }
-  // The accelerometer tells of the cycle before, so it is turned by the orientation of then.
+  // The accelerometer reads the cycle before, so it is turned by the orientation of then.
   const Vec3 accWorld = R_world_torso_ * acc;
   integrate(gyro, dt);
   tiltVariance_ += parameters_.tiltNoise * parameters_.tiltNoise;
@@ -49,7 +49,7 @@ void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
     R_world_torso_ = q_.toRotationMatrix();
   }
 
-  // After a move by the referee (a beam) no sensor tells the new orientation, and a robot that keeps moving
+  // After a move by the referee (a beam) no sensor shows the new orientation, and a robot that keeps moving
   // is never still: a mean acceleration that stays tilted is the way out.
   meanAcc_ += (accWorld - meanAcc_) * std::min(1.0, dt / parameters_.averageTimeConstant);
   const double strength = meanAcc_.norm();

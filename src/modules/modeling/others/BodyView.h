@@ -7,7 +7,7 @@
 
 namespace plumbline {
 
-/// What a robot's visible parts tell of it, on the ground relative to the robot that sees.
+/// A robot's pose by its visible parts, on the ground relative to the robot that sees.
 struct BodyView {
   Vec2 position = Vec2::Zero();        ///< of its middle [m]
   Mat2 covariance = Mat2::Identity();  ///< [m^2]

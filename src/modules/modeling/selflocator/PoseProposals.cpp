@@ -8,7 +8,7 @@
 namespace plumbline {
 namespace {
 
-constexpr double shortestLine = 1.0;     ///< a shorter one tells no heading [m]
+constexpr double shortestLine = 1.0;     ///< a shorter one gives no heading [m]
 constexpr double lengthTolerance = 0.5;  ///< [m]
 constexpr double outside = 3;            ///< so far may the robot be off the field [m]
 /// What a line that fits no segment counts like [squared deviations].
