@@ -28,8 +28,7 @@ killJob() { # job; tries, broken and row are the caller's
   for ((i = 0; i < kills; ++i)); do
     drawPlace
     place+=!
-    rm -rf "$scratch/work"
-    cp -a "$scratch/template" "$scratch/work"
+    freshWork
     playJob "$name" "$scratch/work" "$place"
     ((i % 20 == 19)) && [[ -t 2 ]] && printf '\r%-20s %d of %d \r' "$name" $i "$kills" >&2
     [[ -s $scratch/told ]] || continue # it ended before it came there

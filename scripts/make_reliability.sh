@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Writes doc/results/reliability.md from what `make fuzz`, `make faults`, `make kills`, `make stops` and `make soak` left
 # in build/. What was not run here keeps the section that the page has, and each section says where and when it was measured.
+# Jobs that a run of `make kills` or `make stops` leaves out keep their rows of the page.
 #   scripts/make_reliability.sh
 # Example: make faults && scripts/make_reliability.sh
 set -euo pipefail
@@ -25,12 +26,31 @@ missing() {
   before=$(awk -v head="## $1" '$0 == head { on = 1; next } /^## / || /^<!-- \/measured/ { on = 0 } on' $page | sed -e '/./,$!d' | sed -e :a -e '/^\n*$/{$d;N;ba' -e '}')
   if [[ $before ]]; then printf '%s\n' "$before"; else printf 'Not measured yet: `%s`.\n' "$2"; fi
 }
+# The table ($2) with the rows that the page's section ($1) has of other jobs, where its columns are the same; the last line
+# counts what is in it.
+joined() {
+  missing "$1" "" | awk -v unit="$3" '
+    function put(job, line) { if (!(job in row)) order[++n] = job; row[job] = line }
+    FNR == NR && (!/^\|/ || /^\|---/) { next }
+    FNR == NR { gsub(/^\| | \|$/, ""); gsub(/ \| /, " "); if (!head) head = $0; else { put($1, $0); old[$1] } next }
+    FNR == 1 { $1 = $1; if ($0 != head) { split("", row); n = 0 } print; next }
+    $2 == unit { if (match($0, /seed [0-9]+/)) seed = ", " substr($0, RSTART, RLENGTH); next } # its own last line
+    { $1 = $1; put($1, $0); delete old[$1]; names = names (names ? ", " : "") $1 }
+    END {
+      for (i = 1; i <= n; ++i) { print row[order[i]]; count = split(row[order[i]], part, " "); sum += part[2]; broken += part[count]; older += (order[i] in old) }
+      of = older ? ". Of this run" seed ": " names : seed ? " (" substr(seed, 3) ")" : ""
+      printf "%d %s in %d jobs, %d broke something%s\n", sum, unit, n, broken, of
+    }' - "$2"
+}
 # A section: title, command, table, two lines about the figures.
 measured() {
   printf '\n## %s\n\n' "$1"
   if [[ ! -s $3 ]]; then missing "$1" "$2"; return; fi
   printf '`%s`, %s, %s: %s\n%s\n\n' "$2" "$(dated "$3")" "$here" "$4" "$5"
-  table "$3"
+  case $1 in
+    Kills | Stops) joined "$1" "$3" "${1,}" > "$3.joined" && table "$3.joined" ;;
+    *) table "$3" ;;
+  esac
 }
 {
   sed "/$mark/q" $page

@@ -2,8 +2,10 @@
 
 #include <execinfo.h>
 #include <fcntl.h>
+#include <poll.h>
 #include <sys/mman.h>
 #include <sys/prctl.h>
+#include <sys/syscall.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -65,11 +67,11 @@ bool waitForWriter() {
 }
 
 /// The last word, after `deadline`. Says nothing: a full pipe may be what everything hangs on.
-void giveUp(int) { dieBy(record->signal); }
+void dieNow(int) { dieBy(record->signal); }
 
 void startDeadline() {
   struct sigaction action {};
-  action.sa_handler = giveUp;
+  action.sa_handler = dieNow;
   sigemptyset(&action.sa_mask);
   sigaction(SIGALRM, &action, nullptr);
   sigset_t set;
@@ -116,20 +118,39 @@ void handle(int signal, siginfo_t* info, void*) {
   if (!strikesAgain(signal, *info)) raise(signal);
 }
 
+/// A descriptor of the process that has started this one, if its death kills this one; else -1.
+int starterWhoTakesItAlong() {
+  int signal = 0;
+  if (prctl(PR_GET_PDEATHSIG, &signal) != 0 || signal != SIGKILL) return -1;
+  return static_cast<int>(syscall(SYS_pidfd_open, getppid(), 0));
+}
+
+/// Linux kills who is taken along microseconds before it shows the end. Who kills a child that hangs may end
+/// soon after, which is another matter: so there is no long wait.
+bool hasEnded(int process) {
+  pollfd one{process, POLLIN, 0};
+  return poll(&one, 1, 2) > 0;
+}
+
 /// The second process. Waits for a byte (a signal was caught) or the end of the pipe (the agent is gone).
-[[noreturn]] void writerMain(int pipe, pid_t agent, const std::string& path) {
+/// `starter`: as of starterWhoTakesItAlong().
+[[noreturn]] void writerMain(int pipe, int starter, pid_t agent, const std::string& path) {
   for (const int signal : {SIGINT, SIGTERM, SIGHUP, SIGQUIT, SIGPIPE}) std::signal(signal, SIG_IGN);
   prctl(PR_SET_NAME, "crashlog");
-  pipe = fcntl(pipe, F_DUPFD, STDERR_FILENO + 1);
+  constexpr int pipePlace = STDERR_FILENO + 1, starterPlace = pipePlace + 1;
+  pipe = fcntl(pipe, F_DUPFD, starterPlace + 1);
+  starter = fcntl(starter, F_DUPFD, starterPlace + 1);
   const int null = open("/dev/null", O_RDWR);
   for (const int descriptor : {STDIN_FILENO, STDOUT_FILENO, STDERR_FILENO}) dup2(null, descriptor);
   // What the agent has open must not stay open because of this process.
-  dup2(pipe, STDERR_FILENO + 1);
-  close_range(STDERR_FILENO + 2, ~0u, 0);
+  dup2(pipe, pipePlace);
+  const bool takenAlong = starter >= 0 && dup2(starter, starterPlace) >= 0;
+  close_range(takenAlong ? starterPlace + 1 : starterPlace, ~0u, 0);
   char byte = 0;
-  while (read(STDERR_FILENO + 1, &byte, 1) < 0 && errno == EINTR) {
+  while (read(pipePlace, &byte, 1) < 0 && errno == EINTR) {
   }
-  if (!record->finished) writeCrashReport(*record, agent, path);
+  if (!record->finished && !(record->signal == 0 && takenAlong && hasEnded(starterPlace)))
+    writeCrashReport(*record, agent, path);
   _exit(0);
 }
 
@@ -143,12 +164,14 @@ const char* startWriter(const std::string& path) {
   if (pipe2(ends, O_CLOEXEC) != 0) return "no pipe";
   record = new (memory) CrashRecord;
   const pid_t agent = getpid();
+  const int starter = starterWhoTakesItAlong();
   writer = fork();
   if (writer == 0) {
     close(ends[1]);
-    writerMain(ends[0], agent, path);
+    writerMain(ends[0], starter, agent, path);
   }
   close(ends[0]);
+  if (starter >= 0) close(starter);
   if (writer < 0) {
     close(ends[1]);
     return "no second process";
@@ -188,6 +211,8 @@ void CrashLog::protectThread() {
   static ThreadObject<SignalStack> stacks;
   if (record) stacks.get();
 }
+
+void CrashLog::giveUp() noexcept { markFinished(); }
 
 CrashLog::CrashLog(const std::string& path, unsigned secondsToDie)
     : path_(std::filesystem::absolute(path).string()) {

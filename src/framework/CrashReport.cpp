@@ -51,9 +51,8 @@ bool writeCrashReport(const CrashRecord& record, pid_t agent, const std::string&
     stream << "Process " << agent << " died by " << signalName(signal) << " (" << strsignal(signal) << "), "
            << date << ".\n";
   } else {
-    stream << "Process " << agent
-           << " ended without a word: by a signal that cannot be caught (SIGKILL), or its own _exit, " << date
-           << ".\n";
+    stream << "Process " << agent << " was killed by a signal that it cannot catch (SIGKILL), " << date
+           << ":\nby hand, by the program that started it, or by Linux because memory was short.\n";
   }
   stream << "\nThreads:\n" << record.whereabouts();
   const int calls = std::clamp<int>(record.callCount, 0, static_cast<int>(record.calls.size()));

@@ -15,6 +15,7 @@
 
 #include "framework/CommandLine.h"
 #include "framework/ConfigurationError.h"
+#include "framework/CrashLog.h"
 #include "framework/PartialFolder.h"
 #include "framework/SingleLine.h"
 #include "framework/StopSignal.h"
@@ -54,6 +55,7 @@ int fail(const std::exception& error, int status) noexcept {
 [[noreturn]] void endOutOfMemory() {
   if (!ending.exchange(true)) {  // removing may come here again, and a second thread ends it as a kill does
     printError("out of memory");
+    CrashLog::giveUp();
     PartialFolder::removeAll();
   }
   _exit(badInput);

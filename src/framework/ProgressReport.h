@@ -13,7 +13,9 @@ namespace plumbline {
 class ProgressReport {
 public:
   using Seconds = std::chrono::duration<double>;
-  explicit ProgressReport(std::string program, Seconds first = Seconds(5), Seconds interval = Seconds(10));
+  /// No program that works is silent for longer where there is no terminal.
+  static constexpr Seconds longestSilence{10};
+  explicit ProgressReport(std::string program, Seconds first = Seconds(5), Seconds interval = longestSilence);
   ~ProgressReport();
   ProgressReport(const ProgressReport&) = delete;
   ProgressReport& operator=(const ProgressReport&) = delete;

@@ -8,6 +8,9 @@
 #include <cstdint>
 #include <stdexcept>
 
+#include "framework/CrashLog.h"
+#include "framework/SignalDescriptor.h"
+
 namespace plumbline {
 namespace {
 
@@ -20,6 +23,13 @@ std::atomic<StopSignal*> signalTarget{nullptr};
 std::atomic<Clock::rep> caughtAt{0};
 static_assert(std::atomic<Clock::rep>::is_always_lock_free, "a signal handler stores it");
 
+/// Whoever starts a program by `nohup` wants it to go on when the terminal closes. SIGINT is another matter:
+/// shell scripts have all they start in the background ignore it.
+bool survives(int signal) {
+  struct sigaction now {};
+  return signal == SIGHUP && sigaction(signal, nullptr, &now) == 0 && now.sa_handler == SIG_IGN;
+}
+
 }  // namespace
 
 StopSignal::StopSignal() : descriptor_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
@@ -29,7 +39,8 @@ StopSignal::StopSignal() : descriptor_(eventfd(0, EFD_CLOEXEC | EFD_NONBLOCK)) {
 StopSignal::~StopSignal() {
   StopSignal* self = this;
   if (signalTarget.compare_exchange_strong(self, nullptr)) {
-    for (const int signal : {SIGINT, SIGTERM, SIGHUP}) std::signal(signal, SIG_DFL);
+    for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+      if (!survives(signal)) std::signal(signal, SIG_DFL);
     caughtSignal = 0;
   }
   close(descriptor_);
@@ -67,6 +78,11 @@ std::string StopSignal::reason() const {
   }
 }
 
+int signalDescriptor() {
+  const StopSignal* target = signalTarget.load();
+  return target ? target->fileDescriptor() : -1;
+}
+
 void StopSignal::handle(int signal) {
   // Only what is allowed in a signal handler: atomics, the steady clock and write.
   StopSignal* target = signalTarget.load();
@@ -76,6 +92,7 @@ void StopSignal::handle(int signal) {
   int none = 0;
   const bool first = caughtSignal.compare_exchange_strong(none, signal);
   if (!target || (!first && Clock::duration(now - caughtAt) >= oneWish)) {
+    CrashLog::giveUp();  // a person ends it
     std::signal(signal, SIG_DFL);
     raise(signal);
     return;
@@ -93,7 +110,8 @@ void StopSignal::catchSignals() {
   action.sa_handler = &StopSignal::handle;
   sigemptyset(&action.sa_mask);
   // No SA_RESTART: a module that waits in a system call is woken.
-  for (const int signal : {SIGINT, SIGTERM, SIGHUP}) sigaction(signal, &action, nullptr);
+  for (const int signal : {SIGINT, SIGTERM, SIGHUP})
+    if (!survives(signal)) sigaction(signal, &action, nullptr);
 }
 
 }  // namespace plumbline

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <chrono>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -73,7 +74,11 @@ public:
 
   /// The agent first: it would try to reconnect.
   void stop() {
-    if (agent_) agent_->stop();
+    if (agent_) {
+      agent_->stop();
+      if (*agent_->exitStatus() == 128 + SIGKILL)
+        fmt::print(stderr, "game: the agent did not end and was killed; its crash log says where it was\n");
+    }
     monitor.close();
     if (simulator_) simulator_->process().stop();
   }

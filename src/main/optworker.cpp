@@ -1,3 +1,4 @@
+#include <poll.h>
 #include <unistd.h>
 
 #include <cstdio>
@@ -70,10 +71,12 @@ int runProgram(int argc, char** argv) {
   const auto seconds = [] { return static_cast<double>(std::time(nullptr)); };
   for (double lost = -1;;) {
     try {
-      FarmClient client(server, name, [&stop] { return stop.requested(); });
+      FarmClient client(server, name, stop.fileDescriptor());
       lost = -1;
       work(client, stop);
       return 0;
+    } catch (const Stopped&) {
+      return 0;  // within a trial, which another worker gets
     } catch (const ConfigurationError&) {
       throw;
     } catch (const std::bad_alloc&) {
@@ -83,7 +86,8 @@ int runProgram(int argc, char** argv) {
       if (stop.requested()) return 0;
       if (seconds() - lost >= patience) throw;
     }
-    usleep(200'000);
+    pollfd stopped{stop.fileDescriptor(), POLLIN, 0};
+    poll(&stopped, 1, 200);
     if (stop.requested()) return 0;
   }
 }

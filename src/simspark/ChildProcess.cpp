@@ -14,6 +14,8 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "simspark/Patience.h"
+
 namespace plumbline::simspark {
 namespace {
 
@@ -150,8 +152,7 @@ void ChildProcess::sendSignal(int signal) { kill(wholeGroup_ ? -pid_ : pid_, sig
 void ChildProcess::stop(double patienceSeconds) {
   if (!running()) return;
   sendSignal(SIGTERM);
-  const int tries = static_cast<int>(patienceSeconds / 0.005);
-  for (int i = 0; i < tries && running(); ++i) usleep(5000);
+  for (Patience patience(pid_, patienceSeconds); !patience.isOver() && running();) usleep(5000);
   if (!running()) return;
   sendSignal(SIGKILL);
   reap(0);

@@ -46,9 +46,9 @@ public:
   std::optional<int> exitStatus() const { return exitStatus_; }
   /// To it and to all of its group; nothing once it has ended.
   void signalGroup(int signal);
-  /// SIGTERM, then SIGKILL after `patienceSeconds`; to its group if that is its whole. Returns when it has
-  /// ended.
-  void stop(double patienceSeconds = 2.0);
+  /// SIGTERM, then SIGKILL after `patienceSeconds` (see Patience); to its group if that is its whole. Returns
+  /// when it has ended.
+  void stop(double patienceSeconds = 0.7);
   /// Of a process that has ended.
   ProcessUsage usage() const { return usage_; }
 

@@ -1,7 +1,5 @@
 #include "simspark/Connection.h"
 
-#include <fcntl.h>
-#include <netdb.h>
 #include <netinet/in.h>
 #include <netinet/tcp.h>
 #include <poll.h>
@@ -12,10 +10,10 @@
 #include <cerrno>
 #include <chrono>
 #include <cstring>
-#include <memory>
 #include <optional>
-#include <thread>
 #include <utility>
+
+#include "framework/ConnectedSocket.h"
 
 namespace plumbline::simspark {
 
@@ -45,66 +43,6 @@ Ready waitFor(int fd, short events, int stopDescriptor, int milliseconds) {
   return ready == 0 ? Ready::timeout : Ready::yes;
 }
 
-/// Connects a socket within the time; returns errno, 0 on success.
-int connectWithin(int fd, const addrinfo& address, int stopDescriptor, Clock::time_point end) {
-  if (::connect(fd, address.ai_addr, address.ai_addrlen) == 0) return 0;
-  if (errno != EINPROGRESS) return errno;
-  Ready ready = Ready::signal;
-  while (ready == Ready::signal) ready = waitFor(fd, POLLOUT, stopDescriptor, millisecondsUntil(end));
-  if (ready == Ready::timeout) return ETIMEDOUT;
-  if (ready == Ready::stopped) return ECANCELED;
-  int result = 0;
-  socklen_t size = sizeof result;
-  if (ready == Ready::failed || getsockopt(fd, SOL_SOCKET, SO_ERROR, &result, &size) != 0) return errno;
-  return result;
-}
-
-/// What looking a name up has brought; shared with the thread that looks, which may outlive the wait.
-struct LookUp {
-  std::string host, port;
-  int done[2] = {-1, -1};  ///< a pipe that ends when the answer is there
-  int code = 0;
-  addrinfo* found = nullptr;
-
-  LookUp(std::string host, int port) : host(std::move(host)), port(std::to_string(port)) {}
-  LookUp(const LookUp&) = delete;
-  LookUp& operator=(const LookUp&) = delete;
-  ~LookUp() {
-    if (found) freeaddrinfo(found);
-    if (done[0] >= 0) ::close(done[0]);
-    endPipe();
-  }
-  void endPipe() {
-    if (done[1] >= 0) ::close(done[1]);
-    done[1] = -1;
-  }
-  int look(int flags) {
-    addrinfo hints{};
-    hints.ai_family = AF_UNSPEC;
-    hints.ai_socktype = SOCK_STREAM;
-    hints.ai_flags = flags;
-    return getaddrinfo(host.c_str(), port.c_str(), &hints, &found);
-  }
-};
-
-/// Looks a host up; empty on success, else why not. A name server may take longer than anybody waits, and no
-/// signal stops the system's call: a thread makes it.
-std::string lookUp(const std::shared_ptr<LookUp>& lookUp, int stopDescriptor, Clock::time_point end) {
-  lookUp->code = lookUp->look(AI_NUMERICHOST);
-  if (lookUp->code == 0) return {};
-  if (pipe2(lookUp->done, O_CLOEXEC) != 0) return std::strerror(errno);
-  std::thread([lookUp] {
-    lookUp->code = lookUp->look(0);
-    lookUp->endPipe();
-  }).detach();
-  Ready ready = Ready::signal;
-  while (ready == Ready::signal)
-    ready = waitFor(lookUp->done[0], POLLIN, stopDescriptor, millisecondsUntil(end));
-  if (ready == Ready::timeout) return "no answer about its name";
-  if (ready != Ready::yes) return std::strerror(ECANCELED);
-  return lookUp->code == 0 ? std::string() : gai_strerror(lookUp->code);
-}
-
 }  // namespace
 
 Connection::Connection(Connection&& other) noexcept
@@ -130,20 +68,10 @@ Connection& Connection::operator=(Connection&& other) noexcept {
 
 std::string Connection::connect(const std::string& host, int port, double timeoutSeconds) {
   close();
-  const std::string where = "cannot connect to " + host + ":" + std::to_string(port) + ": ";
-  const auto end = after(timeoutSeconds);
-  const auto names = std::make_shared<LookUp>(host, port);
-  if (const std::string why = lookUp(names, stopDescriptor_, end); !why.empty())
-    return lastError_ = where + why;
-  int problem = ECONNREFUSED;
-  for (const addrinfo* address = names->found; address && fd_ < 0; address = address->ai_next) {
-    fd_ =
-        socket(address->ai_family, address->ai_socktype | SOCK_CLOEXEC | SOCK_NONBLOCK, address->ai_protocol);
-    problem = fd_ < 0 ? errno : connectWithin(fd_, *address, stopDescriptor_, end);
-    if (problem != 0) close();
-    if (problem == ECANCELED) break;
-  }
-  if (fd_ < 0) return lastError_ = where + std::strerror(problem);
+  const ConnectedSocket connected = connectSocket(host, port, timeoutSeconds, stopDescriptor_);
+  fd_ = connected.descriptor;
+  if (fd_ < 0)
+    return lastError_ = "cannot connect to " + host + ":" + std::to_string(port) + ": " + connected.problem;
   const int on = 1;
   setsockopt(fd_, IPPROTO_TCP, TCP_NODELAY, &on, sizeof on);
   lastError_.clear();

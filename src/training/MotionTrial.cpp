@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "framework/StopSignal.h"
 #include "math/Angle.h"
 
 namespace plumbline::motion {
@@ -23,6 +24,7 @@ MotionTrial::MotionTrial(int type, const simulation::WorldConfig& config)
 }
 
 void MotionTrial::move(const JointArray& targets) {
+  StopSignal::throwIfCaught();  // a try may take seconds
   lastAngles_ = robot.sense().angle;
   JointArray measured = lastAngles_;
   for (double& angle : measured) angle = std::round(angle * 18000 / pi) / (18000 / pi);

@@ -9,6 +9,8 @@
 #include <utility>
 
 #include "field/FieldSize.h"
+#include "framework/SignalDescriptor.h"
+#include "framework/StopSignal.h"
 #include "robot/LegKinematics.h"
 #include "simspark/LeagueRobots.h"
 #include "simspark/ServerMessageParser.h"
@@ -87,16 +89,22 @@ ServerRobot::ServerRobot(int type, const ServerAddress& address)
       alone_(mutexOf(address.text())),
       model_(simsparkRobot(type)),
       control_(model_) {
-  if (const std::string why = trainer_.connect(address_.host, address_.monitorPort); !why.empty())
+  trainer_.interruptBy(signalDescriptor());
+  if (const std::string why = trainer_.connect(address_.host, address_.monitorPort); !why.empty()) {
+    StopSignal::throwIfCaught();
     throw std::runtime_error(why + startFirst);
+  }
   join();
 }
 
 void ServerRobot::join() {
   leaving_ = std::move(agent_);
   agent_ = {};
-  if (const std::string why = agent_.connect(address_.host, address_.agentPort); !why.empty())
+  agent_.interruptBy(signalDescriptor());
+  if (const std::string why = agent_.connect(address_.host, address_.agentPort); !why.empty()) {
+    StopSignal::throwIfCaught();
     throw std::runtime_error(why + startFirst);
+  }
   message_ = {};
   if (leaving_.connected()) leaving_.send(onlySyn);
   simspark::AgentCommand scene, init;
@@ -133,6 +141,7 @@ simspark::Connection::Status ServerRobot::receive(std::string_view& text) {
 }
 
 void ServerRobot::exchange(simspark::AgentCommand command) {
+  StopSignal::throwIfCaught();
   command.syn = true;
   if (!agent_.send(simspark::writeAgentCommand(command))) throw failure("went away: " + agent_.error());
   std::string_view text;
@@ -141,6 +150,7 @@ void ServerRobot::exchange(simspark::AgentCommand command) {
     case simspark::Connection::Status::message:
       break;
     case simspark::Connection::Status::timeout:
+      StopSignal::throwIfCaught();
       throw failure(fmt::format("sent nothing for {:.0f} s", patience));
     case simspark::Connection::Status::closed:
       throw failure("went away: " + agent_.error());

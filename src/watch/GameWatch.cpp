@@ -87,8 +87,11 @@ GameResult watchGame(const GameWatchOptions& options, const StopSignal& stop,
     return result;
   };
   MonitorClient monitor;
-  if (std::string why = monitor.connect(options.host, options.port); !why.empty())
+  monitor.interruptBy(stop.fileDescriptor());
+  if (std::string why = monitor.connect(options.host, options.port); !why.empty()) {
+    if (stop.requested()) return end(GameEnd::interrupted, "interrupted");
     return end(GameEnd::serverGone, std::move(why));
+  }
   Pulse pulse;
   Starter starter(options);
   double nextProgress = 0;

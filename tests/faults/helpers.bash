@@ -122,6 +122,12 @@ playJob() { # job, folder, fault
   status=${PIPESTATUS[0]}
 }
 
+# The folder of the next try. The process that writes an agent's crash log may still be at work in the last one.
+freshWork() {
+  until rm -rf "$scratch/work" 2> /dev/null; do pause 0.02; done
+  cp -a "$scratch/template" "$scratch/work"
+}
+
 tryKind() { # job, kind
   local name=$1 kind=$2 calls n lasting numbers=()
   calls=$(callsOf "$kind")
@@ -152,8 +158,7 @@ placesOf() { sort -u "$scratch/places" 2> /dev/null | wc -l; }
 
 tryFault() { # job, fault
   local name=$1 file last program=${programOf[$1]}
-  rm -rf "$scratch/work"
-  cp -a "$scratch/template" "$scratch/work"
+  freshWork
   playJob "$name" "$scratch/work" "$2"
   [[ -s $scratch/told ]] || return 0 # fewer calls than in the run before, which is no matter
   tries=$((tries + 1)) tried=$((tried + 1))

@@ -6,8 +6,8 @@ noted() { awk -v what="$1" '$1 == what { n = $2 } END { print n == "" ? 0 : n }'
 
 # Plays a job with a signal; leaves `took`, from the signal to the program's end [us].
 playStop() { # job, place, signal
-  rm -rf "$scratch/work" "$scratch/tmp"
-  cp -a "$scratch/template" "$scratch/work"
+  rm -rf "$scratch/tmp"
+  freshWork
   mkdir "$scratch/tmp"
   TMPDIR=$scratch/tmp playJob "$1" "$scratch/work" "$2^$3"
   local ended=${EPOCHREALTIME/./}

@@ -2,6 +2,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/prctl.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -49,6 +50,15 @@ public:
     if (wayToDie() == "hang-up") raise(SIGHUP);
     if (wayToDie() == "ctrl-c") raise(SIGINT);
     if (wayToDie() == "terminate") raise(SIGTERM);
+    if (wayToDie() == "ctrl-c twice") {
+      raise(SIGINT);
+      usleep(400000);
+      raise(SIGINT);
+    }
+    if (wayToDie() == "with its starter") {
+      kill(getppid(), SIGKILL);
+      for (;;) pause();
+    }
     if (wayToDie() == "exit") std::exit(7);
     if (wayToDie() == "stop") requestStop(5, "enough");
   }
@@ -71,6 +81,19 @@ constexpr bool faultIsTheSanitizers = true;  // it ends in the sanitizer's own e
 constexpr bool faultIsTheSanitizers = sanitized;
 #endif
 
+/// The second processes of agents that have died become this process's children.
+class OrphansCome {
+public:
+  OrphansCome() { prctl(PR_SET_CHILD_SUBREAPER, 1); }
+  ~OrphansCome() { prctl(PR_SET_CHILD_SUBREAPER, 0); }
+  OrphansCome(const OrphansCome&) = delete;
+  OrphansCome& operator=(const OrphansCome&) = delete;
+  static void waitForAll() {
+    while (wait(nullptr) > 0 || errno == EINTR) {
+    }
+  }
+};
+
 /// The agent runs in a child process, as it is to die.
 class CrashLogTest : public testing::Test {
 protected:
@@ -89,6 +112,7 @@ protected:
       std::signal(SIGPIPE, SIG_DFL);  // whoever runs the tests may ignore it
       int status = 98;
       {
+        if (beforeTheLog) beforeTheLog();
         const unsigned secondsToDie = stderrOfChild >= 0 ? 3 : 30;
         CrashLog crashLog(folder + "/crash.log", secondsToDie);
         Controller controller = makeController(modulesConfig);
@@ -115,6 +139,7 @@ protected:
   bool hasLog() const { return std::filesystem::exists(folder + "/crash.log"); }
 
   int stderrOfChild = -1;  ///< -1: a file
+  void (*beforeTheLog)() = nullptr;
   const std::string folder = testing::TempDir() + "crash" + std::to_string(getpid());
 };
 
@@ -187,9 +212,45 @@ TEST_F(CrashLogTest, tellsThatTheAgentWasKilled) {
   run("kill", "Crasher\n");
   // Nobody waits for the second process then.
   waitForLog();
-  EXPECT_NE(contents("crash.log").find("ended without a word: by a signal that cannot be caught (SIGKILL)"),
+  EXPECT_NE(contents("crash.log").find(" was killed by a signal that it cannot catch (SIGKILL), "),
+            std::string::npos);
+  EXPECT_NE(contents("crash.log")
+                .find(":\nby hand, by the program that started it, or by Linux because "
+                      "memory was short.\n\nThreads:\n"),
             std::string::npos);
   EXPECT_NE(contents("crash.log").find("[default] Crasher:execute\n"), std::string::npos);
+}
+
+TEST_F(CrashLogTest, theEndOfWhoStartedItAndTakesItAlongLeavesNothing) {
+  const OrphansCome orphans;
+  const pid_t starter = fork();
+  if (starter == 0) {
+    // What ChildProcess asks for, in the agent.
+    beforeTheLog = [] { prctl(PR_SET_PDEATHSIG, SIGKILL); };
+    run("with its starter", "Crasher\n");
+    _exit(0);
+  }
+  int status = 0;
+  waitpid(starter, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGKILL) << status;
+  OrphansCome::waitForAll();
+  EXPECT_FALSE(hasLog());
+}
+
+TEST_F(CrashLogTest, whoIsTakenAlongButDiesAloneLeavesALog) {
+  const OrphansCome orphans;
+  beforeTheLog = [] { prctl(PR_SET_PDEATHSIG, SIGKILL); };
+  run("kill", "Crasher\n");
+  OrphansCome::waitForAll();
+  EXPECT_TRUE(hasLog());
+}
+
+TEST_F(CrashLogTest, aSecondCtrlCLeavesNothing) {
+  const OrphansCome orphans;
+  const int status = run("ctrl-c twice", "Crasher\n");
+  EXPECT_TRUE(WIFSIGNALED(status) && WTERMSIG(status) == SIGINT) << status;
+  OrphansCome::waitForAll();
+  EXPECT_FALSE(hasLog()) << contents("crash.log");
 }
 
 TEST_F(CrashLogTest, anEndInOrderLeavesNothing) {

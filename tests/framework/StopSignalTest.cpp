@@ -5,6 +5,7 @@
 
 #include <chrono>
 #include <csignal>
+#include <cstdlib>
 #include <thread>
 
 #include "framework/Parallel.h"
@@ -87,6 +88,24 @@ TEST(StopSignalTest, aSignalThatComesTwiceAtOnceIsOneRequest) {
   raise(SIGTERM);
   EXPECT_TRUE(stop.requested());
   EXPECT_EQ(stop.reason(), "interrupted (SIGINT)");
+}
+
+TEST(StopSignalTest, goesOnAfterTheTerminalClosedIfStartedByNohup) {
+  EXPECT_EXIT(
+      {
+        std::signal(SIGHUP, SIG_IGN);
+        {
+          StopSignal stop;
+          stop.catchSignals();
+          raise(SIGHUP);
+          if (stop.requested()) std::exit(1);
+          raise(SIGTERM);
+          if (!stop.requested()) std::exit(2);
+        }
+        raise(SIGHUP);
+        std::exit(0);
+      },
+      testing::ExitedWithCode(0), "");
 }
 
 TEST(StopSignalTest, afterItsEndSignalsDoWhatTheyDid) {

@@ -2,6 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include <csignal>
+
+#include "framework/StopSignal.h"
+
 namespace plumbline::motion {
 namespace {
 
@@ -34,6 +38,15 @@ TEST(MotionTrial, aStateCanBeBegunWithAgain) {
   other.begin(state);
   EXPECT_EQ(other.robot.torso().linearVelocity, Vec3::Zero());
   EXPECT_EQ(other.robot.torso().angularVelocity, Vec3::Zero());
+}
+
+TEST(MotionTrial, aStopEndsATry) {
+  MotionTrial trial(0);
+  StopSignal stop;
+  stop.catchSignals();
+  trial.fall(1);
+  raise(SIGTERM);
+  EXPECT_THROW(trial.fall(1), Stopped);
 }
 
 }  // namespace

@@ -1,15 +1,13 @@
 #include "Link.h"
 
-#include <fcntl.h>
-#include <netdb.h>
 #include <poll.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <cstring>
-#include <memory>
+
+#include "framework/ConnectedSocket.h"
 
 namespace plumbline::rdb {
 
@@ -35,27 +33,9 @@ bool Link::wait(short events, double seconds) const {
 
 std::string Link::connect(double seconds) {
   close();
-  addrinfo hints{}, *found = nullptr;
-  hints.ai_family = AF_INET;
-  hints.ai_socktype = SOCK_STREAM;
-  if (const int error = getaddrinfo(host_.c_str(), std::to_string(port_).c_str(), &hints, &found); error != 0)
-    return "cannot connect to " + name() + ": " + gai_strerror(error);
-  const std::unique_ptr<addrinfo, decltype(&freeaddrinfo)> addresses(found, &freeaddrinfo);
-  fd_ = socket(found->ai_family, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0);
-  int error = fd_ < 0 ? errno : 0;
-  if (error == 0 && ::connect(fd_, found->ai_addr, found->ai_addrlen) != 0) {
-    error = errno;
-    socklen_t size = sizeof(error);
-    if (error == EINPROGRESS && !wait(POLLOUT, seconds)) {
-      error = ETIMEDOUT;
-    } else if (error == EINPROGRESS) {
-      getsockopt(fd_, SOL_SOCKET, SO_ERROR, &error, &size);
-    }
-  }
-  if (error != 0) {
-    close();
-    return "cannot connect to " + name() + ": " + std::strerror(error);
-  }
+  const ConnectedSocket connected = connectSocket(host_, port_, seconds, stop_);
+  fd_ = connected.descriptor;
+  if (fd_ < 0) return "cannot connect to " + name() + ": " + connected.problem;
   if (!token_.empty()) send(token_);
   return {};
 }

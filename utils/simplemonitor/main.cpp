@@ -71,10 +71,12 @@ void complete(Options& options) {
   options.rows = *rows;
 }
 
+Stopped noPicture() { return Stopped("stopped before a picture came"); }
+
 void printOnce(const Options& options, FieldSource& source, const StopSignal& stop) {
   constexpr double patience = 10;
   for (const double end = wallClock() + patience; !source.receive(0.1);) {
-    if (stop.requested()) return;
+    if (stop.requested()) throw noPicture();
     if (!source.connected()) throw std::runtime_error(source.problem());
     if (wallClock() > end)
       throw std::runtime_error(source.name() + " sent nothing for 10 s: is the simulation stopped?");
@@ -193,6 +195,7 @@ int runProgram(int argc, char** argv) {
   source.interruptBy(stop.fileDescriptor());
   const double start = wallClock();
   if (const std::string why = source.connect(); !why.empty()) {
+    if (stop.requested() && options.once) throw noPicture();
     if (stop.requested()) return 0;
     throw std::runtime_error(why + "; is a simulator running there?");
   }

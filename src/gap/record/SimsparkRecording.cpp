@@ -6,6 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
+#include "framework/SignalDescriptor.h"
 #include "gap/record/SimulatedRecording.h"
 #include "gap/record/Waves.h"
 #include "robot/JointId.h"
@@ -31,9 +32,12 @@ public:
     for (const Mechanism::Joint& joint : robot_.joints) ids_.push_back(jointOf(joint.name, robot_));
     angles_.resize(ids_.size());
     speeds_.resize(ids_.size());
+    connection_.interruptBy(signalDescriptor());
     if (const std::string why = connection_.connect(options_.host, options_.port, options_.timeout);
-        !why.empty())
+        !why.empty()) {
+      endIfStopped();
       throw std::runtime_error(why + "; start bin/simulator or the league's server first");
+    }
     simspark::AgentCommand scene;
     scene.scene = simspark::SceneRequest{.type = options_.type};
     scene.syn = true;
@@ -48,11 +52,12 @@ public:
   /// Waits for the next message.
   const simspark::ServerMessage& receive() {
     std::string_view text;
-    if (options_.stop && options_.stop()) throw std::runtime_error("stopped; nothing was written");
+    endIfStopped();
     switch (connection_.receive(text, options_.timeout)) {
       case simspark::Connection::Status::message:
         break;
       case simspark::Connection::Status::timeout:
+        endIfStopped();
         throw std::runtime_error("the server on port " + std::to_string(options_.port) +
                                  " sent nothing for " + std::to_string(static_cast<int>(options_.timeout)) +
                                  " s");
@@ -88,6 +93,9 @@ public:
   const std::vector<double>& angles() const { return angles_; }
 
 private:
+  void endIfStopped() const {
+    if (options_.stop && options_.stop()) throw std::runtime_error("stopped; nothing was written");
+  }
   void send(const simspark::AgentCommand& command) {
     if (!connection_.send(simspark::writeAgentCommand(command)))
       throw std::runtime_error("the server on port " + std::to_string(options_.port) +

@@ -4,12 +4,14 @@
 
 #include <cstdio>
 
+#include "framework/ProgressReport.h"
+
 namespace plumbline::gap {
 
 namespace {
 
-using std::chrono::milliseconds;
-constexpr milliseconds rewritten(100), alive(1000), elsewhere(10000);
+using Seconds = ProgressReport::Seconds;
+constexpr Seconds rewritten(0.1), alive(1), elsewhere = ProgressReport::longestSilence;
 
 }  // namespace
 

@@ -6,6 +6,7 @@
 
 #include "MotionFilm.h"
 #include "framework/SteadyClock.h"
+#include "framework/StopSignal.h"
 #include "pages/PagePlace.h"
 #include "web/Geometry.h"
 
@@ -126,6 +127,8 @@ void SearchPage::film(const Search& search, bool last) {
         const auto make = [&](const Eigen::VectorXd& values, const std::string& what) -> std::string {
           try {
             return motionFilm(study, values, what);
+          } catch (const Stopped&) {
+            return {};
           } catch (const std::exception& error) {
             return json{{"kind", "noFilm"}, {"why", error.what()}}.dump();
           }

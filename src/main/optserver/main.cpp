@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cerrno>
+#include <csignal>
 #include <cstdio>
 #include <filesystem>
 #include <list>
@@ -69,6 +70,13 @@ public:
     if (!token.empty()) command_.insert(command_.end(), {"--token", token});
     for (int i = 0; i < count; ++i) all_.emplace_back(start());
   }
+  /// All are told before the first is waited for.
+  ~LocalWorkers() {
+    for (const auto& worker : all_)
+      if (worker->running()) kill(worker->pid(), SIGTERM);
+  }
+  LocalWorkers(const LocalWorkers&) = delete;
+  LocalWorkers& operator=(const LocalWorkers&) = delete;
   /// Throws std::runtime_error if none of them can work.
   void keep(double now) {
     if (now - checked_ < 1) return;

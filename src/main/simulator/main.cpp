@@ -91,10 +91,10 @@ int runProgram(int argc, char** argv) {
     prctl(PR_SET_PDEATHSIG, SIGTERM);
     if (getppid() != parent) return 0;  // it ended before we asked
   }
-  handleSignals();
-  if (options.replayFile.empty())
+  if (options.replayFile.empty()) {
+    handleSignals();
     serve(options);
-  else
+  } else  // which a signal ends at once
     std::fputs(replayReport(options.replayFile, options.replayType, options.server.simulation.world).c_str(),
                stdout);
   return recordingLost ? badInput : 0;

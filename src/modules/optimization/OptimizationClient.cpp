@@ -49,8 +49,7 @@ OptimizationClient::~OptimizationClient() = default;
 
 void OptimizationClient::connect() {
   auto client = std::make_unique<farm::FarmClient>(farm::ServerAddress{host, port, token},
-                                                   "agent-" + std::to_string(getpid()),
-                                                   [this] { return stopRequested(); });
+                                                   "agent-" + std::to_string(getpid()), stopDescriptor());
   const farm::Welcome& welcome = client->welcome();
   const auto& options = welcome.options;
   if (welcome.task != "kick")

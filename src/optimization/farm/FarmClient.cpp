@@ -1,5 +1,7 @@
 #include "optimization/farm/FarmClient.h"
 
+#include <poll.h>
+
 #include <stdexcept>
 
 namespace plumbline::farm {
@@ -10,17 +12,22 @@ constexpr std::size_t mostUnsent = 4 * maxLine;
 
 std::string placeOf(const ServerAddress& server) { return server.host + ':' + std::to_string(server.port); }
 
+bool isReadable(int descriptor) {
+  pollfd one{descriptor, POLLIN, 0};
+  return poll(&one, 1, 0) > 0;
+}
+
 }  // namespace
 
-FarmClient::FarmClient(const ServerAddress& server, const std::string& name,
-                       const std::function<bool()>& stopped)
+FarmClient::FarmClient(const ServerAddress& server, const std::string& name, int stopDescriptor)
     : place_("the optimisation server at " + placeOf(server)),
-      socket_(connectTo(server.host, server.port), maxLine, mostUnsent) {
+      stopDescriptor_(stopDescriptor),
+      socket_(connectTo(server.host, server.port, stopDescriptor), maxLine, mostUnsent) {
   socket_.send(text(Hello{Hello::Role::worker, name, server.token}));
   for (double waited = 0; welcome_.task.empty() && over_.empty(); waited += 0.1) {
     if (waited > patience) throw std::runtime_error(place_ + " says nothing");
-    if (stopped && stopped()) throw std::runtime_error(place_ + " had said nothing before the stop");
-    socket_.wait(0.1);
+    if (isReadable(stopDescriptor_)) throw std::runtime_error(place_ + " had said nothing before the stop");
+    socket_.wait(0.1, stopDescriptor_);
     while (take()) {
     }
   }
@@ -53,7 +60,7 @@ bool FarmClient::take() {
 std::optional<Trial> FarmClient::next(double seconds) {
   while (!trial_ && !isOver() && take()) {
   }
-  if (!trial_ && !isOver()) socket_.wait(seconds);
+  if (!trial_ && !isOver()) socket_.wait(seconds, stopDescriptor_);
   while (!trial_ && !isOver() && take()) {
   }
   std::optional<Trial> trial;

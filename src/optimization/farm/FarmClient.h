@@ -1,5 +1,4 @@
 #pragma once
-#include <functional>
 #include <string>
 
 #include "optimization/farm/LineSocket.h"
@@ -19,9 +18,9 @@ struct ServerAddress {
 /// reached, goes away, refuses this client or sends nonsense.
 class FarmClient final : public ParameterSource {
 public:
-  /// Connects, says its name and waits for the server's welcome, or until `stopped`. Throws
-  /// std::runtime_error.
-  FarmClient(const ServerAddress& server, const std::string& name, const std::function<bool()>& stopped = {});
+  /// Connects, says its name and waits for the server's welcome. Throws std::runtime_error, also when
+  /// `stopDescriptor` becomes readable, which ends every wait; -1: nothing does.
+  FarmClient(const ServerAddress& server, const std::string& name, int stopDescriptor = -1);
 
   const Welcome& welcome() const { return welcome_; }
   std::optional<Trial> next(double seconds) override;
@@ -35,6 +34,7 @@ private:
   bool take();
 
   std::string place_;
+  int stopDescriptor_;
   LineSocket socket_;
   Welcome welcome_;
   std::optional<Trial> trial_{};

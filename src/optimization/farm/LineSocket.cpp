@@ -1,7 +1,6 @@
 #include "optimization/farm/LineSocket.h"
 
 #include <arpa/inet.h>
-#include <netdb.h>
 #include <netinet/tcp.h>
 #include <poll.h>
 #include <sys/socket.h>
@@ -11,10 +10,14 @@
 #include <cstring>
 #include <stdexcept>
 
+#include "framework/ConnectedSocket.h"
+
 namespace plumbline::farm {
 namespace {
 
 static_assert(POLLIN == 1 && POLLOUT == 4);
+
+constexpr double connectSeconds = 10;
 
 void prepare(int fd) {
   const int on = 1;
@@ -46,25 +49,11 @@ int listenOn(const std::string& address, int port, int& portHad) {
   return fd;
 }
 
-int connectTo(const std::string& host, int port) {
-  const std::string place = "cannot reach " + host + ':' + std::to_string(port) + ": ";
-  addrinfo hints{}, *found = nullptr;
-  hints.ai_family = AF_UNSPEC;
-  hints.ai_socktype = SOCK_STREAM;
-  if (const int error = getaddrinfo(host.c_str(), std::to_string(port).c_str(), &hints, &found); error != 0)
-    throw std::runtime_error(place + gai_strerror(error));
-  std::string why = "no address";
-  for (const addrinfo* one = found; one != nullptr; one = one->ai_next) {
-    const int fd = socket(one->ai_family, SOCK_STREAM | SOCK_CLOEXEC, 0);
-    if (fd >= 0 && connect(fd, one->ai_addr, one->ai_addrlen) == 0) {
-      freeaddrinfo(found);
-      return fd;
-    }
-    why = std::strerror(errno);
-    if (fd >= 0) ::close(fd);
-  }
-  freeaddrinfo(found);
-  throw std::runtime_error(place + why);
+int connectTo(const std::string& host, int port, int stopDescriptor) {
+  const ConnectedSocket connected = connectSocket(host, port, connectSeconds, stopDescriptor);
+  if (connected.descriptor < 0)
+    throw std::runtime_error("cannot reach " + host + ':' + std::to_string(port) + ": " + connected.problem);
+  return connected.descriptor;
 }
 
 LineSocket::LineSocket(int fd, std::size_t maxLine, std::size_t maxWaiting)
@@ -110,10 +99,10 @@ void LineSocket::receive() {
   }
 }
 
-bool LineSocket::wait(double seconds) {
-  pollfd one{fd_, events(), 0};
-  if (poll(&one, 1, static_cast<int>(1e3 * seconds)) <= 0) return false;
-  serve(one.revents);
+bool LineSocket::wait(double seconds, int stopDescriptor) {
+  pollfd waiting[] = {{fd_, events(), 0}, {stopDescriptor, POLLIN, 0}};
+  if (poll(waiting, 2, static_cast<int>(1e3 * seconds)) <= 0 || waiting[0].revents == 0) return false;
+  serve(waiting[0].revents);
   return true;
 }
 

@@ -7,8 +7,9 @@ namespace plumbline::farm {
 
 /// A listening TCP socket. Throws std::runtime_error, one line, if the address or the port cannot be had.
 int listenOn(const std::string& address, int port, int& portHad);
-/// A connected one. Throws std::runtime_error "cannot reach HOST:PORT: REASON".
-int connectTo(const std::string& host, int port);
+/// A connected one, which does not block. Waits 10 s at most, or until `stopDescriptor` is readable (-1:
+/// none). Throws std::runtime_error "cannot reach HOST:PORT: REASON".
+int connectTo(const std::string& host, int port, int stopDescriptor = -1);
 
 /// Lines of text over a socket, which it closes. Never blocks; what waits in either direction is bounded.
 class LineSocket {
@@ -24,8 +25,9 @@ public:
   short events() const { return static_cast<short>(out_.empty() ? 1 : 1 | 4); }  // POLLIN, POLLOUT
   /// Takes what has come and sends what can go.
   void serve(short events);
-  /// Waits until something has come, at most so long [s]; false: nothing.
-  bool wait(double seconds);
+  /// Waits until something has come, at most so long [s], or until `stopDescriptor` is readable; false:
+  /// nothing.
+  bool wait(double seconds, int stopDescriptor = -1);
   /// The next line without its end; false: there is none yet.
   bool next(std::string& line);
   void send(std::string_view line);

@@ -33,10 +33,11 @@ std::string addressText(const sockaddr* address, socklen_t size) {
 Listener::Listener(const std::string& address, int port) {
   addrinfo hints{};
   hints.ai_socktype = SOCK_STREAM;
-  hints.ai_flags = AI_PASSIVE | AI_NUMERICSERV;
+  hints.ai_flags = AI_PASSIVE | AI_NUMERICHOST | AI_NUMERICSERV;  // a name server might not answer
   addrinfo* found = nullptr;
-  if (const int code = getaddrinfo(address.c_str(), std::to_string(port).c_str(), &hints, &found); code != 0)
-    throw std::runtime_error("cannot bind to " + address + ": " + gai_strerror(code));
+  const std::string numeric = address == "localhost" ? "127.0.0.1" : address;
+  if (getaddrinfo(numeric.c_str(), std::to_string(port).c_str(), &hints, &found) != 0)
+    throw std::runtime_error("cannot listen on " + address + ": it is no address, as 127.0.0.1 or ::1");
   fd_ = socket(found->ai_family, found->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, found->ai_protocol);
   const int on = 1;
   if (fd_ >= 0) setsockopt(fd_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);

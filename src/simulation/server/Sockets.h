@@ -13,7 +13,8 @@ namespace plumbline::simulation {
 /// A listening TCP socket.
 class Listener {
 public:
-  /// port 0: a free one. Throws std::runtime_error, one line, if it cannot be had.
+  /// An address as a number, or localhost; port 0: a free one. Throws std::runtime_error, one line, if it
+  /// cannot be had.
   Listener(const std::string& address, int port);
   ~Listener();
   Listener(const Listener&) = delete;

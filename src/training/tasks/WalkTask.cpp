@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
+#include "framework/StopSignal.h"
 #include "simspark/LeagueRobots.h"
 #include "training/WalkingRobot.h"
 
@@ -55,6 +56,7 @@ WalkTask::WalkTask(const TaskOptions& options)
   } catch (const std::invalid_argument& error) {  // an engine that there is not
     throw ConfigurationError(std::string("option engine: ") + error.what());
   }
+  robot_->interrupt = StopSignal::throwIfCaught;
 }
 
 WalkTask::~WalkTask() = default;

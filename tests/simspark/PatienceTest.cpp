@@ -1,0 +1,95 @@
+#include "simspark/Patience.h"
+
+#include <gtest/gtest.h>
+#include <sched.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <atomic>
+#include <chrono>
+#include <csignal>
+#include <thread>
+
+namespace plumbline::simspark {
+namespace {
+
+using Clock = std::chrono::steady_clock;
+
+double since(Clock::time_point begin) { return std::chrono::duration<double>(Clock::now() - begin).count(); }
+
+/// A process that does what it is given, without end.
+class Endless {
+public:
+  explicit Endless(void (*work)()) : pid(fork()) {
+    if (pid == 0)
+      for (;;) work();
+  }
+  ~Endless() {
+    kill(pid, SIGKILL);
+    waitpid(pid, nullptr, 0);
+  }
+  Endless(const Endless&) = delete;
+  Endless& operator=(const Endless&) = delete;
+  const pid_t pid;
+};
+
+/// How long it took until it was over, at most so long.
+double lasts(pid_t process, double seconds, double atMost) {
+  const auto begin = Clock::now();
+  for (Patience patience(process, seconds); !patience.isOver() && since(begin) < atMost;) usleep(2000);
+  return since(begin);
+}
+
+void computes() {
+  static volatile unsigned counter = 0;
+  counter = counter + 1;
+}
+void sleeps() { pause(); }
+
+TEST(Patience, ofAProcessThatHangsIsThatOfTheClock) {
+  const Endless child(sleeps);
+  EXPECT_GE(lasts(child.pid, 0.1, 60), 0.1);
+  EXPECT_LT(lasts(child.pid, 0.1, 60), 20);
+}
+
+TEST(Patience, ofAStoppedProcessIsThatOfTheClock) {
+  const Endless child(computes);
+  kill(child.pid, SIGSTOP);
+  int status = 0;
+  ASSERT_EQ(waitpid(child.pid, &status, WUNTRACED), child.pid);
+  const double took = lasts(child.pid, 0.1, 60);
+  EXPECT_GE(took, 0.1);
+  EXPECT_LT(took, 20);
+}
+
+TEST(Patience, ofAProcessThatComputesIsWhatItRuns) {
+  const Endless child(computes);
+  EXPECT_GE(lasts(child.pid, 0.1, 60), 0.1);
+  EXPECT_LT(lasts(child.pid, 0.1, 60), 29);
+}
+
+TEST(Patience, ofAProcessThatDoesNotGetTheProcessorGoesOn) {
+  cpu_set_t allowed, one;
+  ASSERT_EQ(sched_getaffinity(0, sizeof allowed, &allowed), 0);
+  CPU_ZERO(&one);
+  for (int cpu = 0; cpu < CPU_SETSIZE && CPU_COUNT(&one) == 0; ++cpu)
+    if (CPU_ISSET(cpu, &allowed)) CPU_SET(cpu, &one);
+  const Endless child(computes);
+  const sched_param none{};
+  ASSERT_EQ(sched_setscheduler(child.pid, SCHED_IDLE, &none), 0);
+  ASSERT_EQ(sched_setaffinity(child.pid, sizeof one, &one), 0);
+  std::atomic<bool> end = false;
+  std::thread other([&] {
+    sched_setaffinity(0, sizeof one, &one);
+    while (!end) computes();
+  });
+  usleep(50000);
+  EXPECT_GE(lasts(child.pid, 0.1, 1), 1);
+  end = true;
+  other.join();
+}
+
+TEST(Patience, ofAProcessThatIsNoMoreIsThatOfTheClock) { EXPECT_GE(lasts(1 << 29, 0.05, 60), 0.05); }
+
+}  // namespace
+}  // namespace plumbline::simspark
