@@ -11,7 +11,7 @@
 namespace plumbline::gap {
 namespace {
 
-constexpr double none = std::numeric_limits<double>::quiet_NaN();  // the median of nothing
+constexpr double ofNothing = std::numeric_limits<double>::quiet_NaN();  // a median
 
 Likeness likeness(const std::vector<double>& a, const std::vector<double>& b) {
   Likeness result;
@@ -65,7 +65,7 @@ Following followingOf(const std::vector<double>& a, const std::vector<double>& b
     size.push_back(std::abs(a[i]));
   }
   if (distance.empty()) return {};
-  return {distance.size(), upperMedian(distance, none), upperMedian(size, none)};
+  return {distance.size(), upperMedian(distance, ofNothing), upperMedian(size, ofNothing)};
 }
 
 double fastest(const std::vector<double>& t, const std::vector<double>& column, double jump) {
@@ -83,7 +83,7 @@ double fastest(const std::vector<double>& t, const std::vector<double>& column, 
 double medianStep(const std::vector<double>& t) {
   std::vector<double> steps;
   for (std::size_t i = 1; i < t.size(); ++i) steps.push_back(t[i] - t[i - 1]);
-  return upperMedian(std::move(steps), none);
+  return upperMedian(std::move(steps), ofNothing);
 }
 
 double medianLength(const std::vector<double>& x, const std::vector<double>& y,
@@ -93,7 +93,7 @@ double medianLength(const std::vector<double>& x, const std::vector<double>& y,
     const double length = std::sqrt(x[i] * x[i] + y[i] * y[i] + z[i] * z[i]);
     if (!std::isnan(length)) lengths.push_back(length);
   }
-  return upperMedian(std::move(lengths), none);
+  return upperMedian(std::move(lengths), ofNothing);
 }
 
 double medianSum(const std::vector<const std::vector<double>*>& columns) {
@@ -103,7 +103,7 @@ double medianSum(const std::vector<const std::vector<double>*>& columns) {
     for (const auto* column : columns) sum += (*column)[i];
     if (!std::isnan(sum)) sums.push_back(sum);
   }
-  return upperMedian(std::move(sums), none);
+  return upperMedian(std::move(sums), ofNothing);
 }
 
 Likeness likenessOf(const std::vector<double>& a, const std::vector<double>& b,
