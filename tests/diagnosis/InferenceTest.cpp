@@ -40,6 +40,20 @@ TEST(Inference, findsTheCauseAndClaimsWhatItCloses) {
   EXPECT_NEAR(meanClosed(found.leftOut), measured, 0.1);
 }
 
+TEST(Inference, aFilterOfCommandsIsNoDelayAndADelayIsNoFilter) {
+  const Mechanism arm = twoJointArm();
+  for (const char* id : {"command_lag", "command_delay"}) {
+    const Inference found = infer(arm, recordings({causeOfArm(id, "elbow", 0.012)}), {});
+    ASSERT_EQ(found.diagnosis.findings.size(), 1) << id;
+    const Finding& finding = found.diagnosis.findings.front();
+    EXPECT_EQ(finding.cause.effect->id, id);
+    EXPECT_EQ(finding.cause.place.at, "elbow");
+    EXPECT_NEAR(finding.cause.value, 0.012, 0.0012) << id;
+    EXPECT_GT(finding.probability, 0.9) << id;
+    EXPECT_EQ(found.diagnosis.verdict, Verdict::effect) << id;
+  }
+}
+
 TEST(Inference, sameAnswerWithAnyNumberOfThreads) {
   const Mechanism arm = twoJointArm();
   const std::vector<Trial> trials = recordings({causeOfArm("backlash", "shoulder", 0.03)}, 3);
