@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gap/DutyTrial.h"
 #include "gap/ThreeRecordings.h"
 #include "gap/inference/LeaveOut.h"
@@ -52,6 +54,20 @@ TEST(Inference, aFilterOfCommandsIsNoDelayAndADelayIsNoFilter) {
     EXPECT_GT(finding.probability, 0.9) << id;
     EXPECT_EQ(found.diagnosis.verdict, Verdict::effect) << id;
   }
+}
+
+TEST(Inference, commandsThatTheServoTakesInStepsAreOutsideTheLibrary) {
+  // command_resolution of blind sets: neither a dead band nor a play is like it.
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials;
+  for (const Trial& asked : recordings({})) {
+    Trial taken = asked;
+    for (double& command : taken.command[1]) command = std::round(command / 0.03) * 0.03;
+    taken = recorded(plantOf(arm, {}), taken, 5e-4, 13 + trials.size());
+    taken.command = asked.command;
+    trials.push_back(std::move(taken));
+  }
+  EXPECT_EQ(infer(arm, std::move(trials), {}).diagnosis.verdict, Verdict::unknown);
 }
 
 TEST(Inference, sameAnswerWithAnyNumberOfThreads) {
