@@ -163,6 +163,12 @@ bench-gap-peers:
 	@scripts/run_bench.sh gap-peers || { cat build/bench/gap-peers.log >&2; exit 2; }
 	@scripts/make_results.sh gap-peers
 
+# CPU time of bin/gap diagnose on four simulated robots; writes doc/results/gap-speed.md. SEED, CASE=joint for one of them.
+bench-gap-speed:
+	@scripts/build.sh SimRelease gap
+	@scripts/run_bench.sh gap-speed || { cat build/bench/gap-speed.log >&2; exit 2; }
+	@scripts/make_results.sh gap-speed
+
 # Causes taken out of the nominal model of real recordings, to be named by bin/gap: SEED, CASES, MOTIONS, GAINS; DATA=FOLDER.
 bench-gap-planted:
 	@$(MAKE) SimRelease SimRelease-bench-gap-planted

@@ -19,6 +19,7 @@ struct JointPlant {
   double supplyFactor = 1;             ///< on a DC motor's supply
   bool linkEncoder = false;            ///< position measured behind the gear
   double commandDelay = 0;             ///< [s]
+  double commandLag = 0;               ///< time constant of a first-order filter of commands [s]
   double accelerationLimit = 0;        ///< of the servo's own profile [rad/s^2]; 0: none
   double profileSpeed = 0;             ///< largest of that profile [rad/s]; 0: none
   /// Share of the supply lost while all motors of the robot together give their largest torque (SupplyRail).

@@ -15,7 +15,7 @@ ServoDrive::ServoDrive(const JointPlant& plant, bool detailed)
     : plant_(plant), detailed_(detailed), behindGear_(plant.geared() && plant.linkEncoder) {}
 
 void ServoDrive::start(double q) {
-  wanted_ = profile_ = shown(q);
+  wanted_ = behindLag_ = profile_ = shown(q);
   stiffness_ = 1;
   profileSpeed_ = heat_ = speedBefore_ = 0;
   supply_ = 1;
@@ -31,23 +31,33 @@ double ServoDrive::measured(const Side& motor, const Side& link) const {
   return shown(plant_.linkEncoder ? link.position : motor.position);
 }
 
+/// Mean over a step of what the servo's filter makes of its command.
+double ServoDrive::filtered(double h) {
+  const double lag = plant_.commandLag;
+  if (lag <= 0) return wanted_;
+  const double away = behindLag_ - wanted_, fades = std::expm1(-h / lag);
+  behindLag_ = wanted_ + away * (1 + fades);
+  return wanted_ - away * lag / h * fades;
+}
+
 /// The servo's own profile: as fast as it can still brake, no faster than it is set to or the motor turns.
 void ServoDrive::follow(double h) {
+  const double goal = filtered(h);
   if (plant_.accelerationLimit <= 0) {
     const double most = plant_.profileSpeed * h;
-    profile_ = most > 0 ? profile_ + std::clamp(wanted_ - profile_, -most, most) : wanted_;
+    profile_ = most > 0 ? profile_ + std::clamp(goal - profile_, -most, most) : goal;
     return;
   }
   constexpr int slices = 4;
   const double t = h / slices, most = plant_.accelerationLimit * t;
   for (int i = 0; i < slices; ++i) {
-    const double way = wanted_ - profile_;
+    const double way = goal - profile_;
     double fastest = std::sqrt(2 * plant_.accelerationLimit * std::abs(way));
     if (plant_.maxSpeed > 0) fastest = std::min(fastest, plant_.maxSpeed);
     if (plant_.profileSpeed > 0) fastest = std::min(fastest, plant_.profileSpeed);
     profileSpeed_ += std::clamp(std::copysign(fastest, way) - profileSpeed_, -most, most);
     if (std::abs(way) < most * t && std::abs(profileSpeed_) <= 2 * most) {
-      profile_ = wanted_;
+      profile_ = goal;
       profileSpeed_ = 0;
     } else {
       profile_ += profileSpeed_ * t;

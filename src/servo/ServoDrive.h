@@ -46,6 +46,7 @@ private:
   enum class Regime { linear, fullDuty, limited, faded, spent };
 
   double shown(double angle) const;
+  double filtered(double h);
   void follow(double h);
   double limit(double sign, double speed) const;
   double fullLimit() const;
@@ -54,6 +55,7 @@ private:
   JointPlant plant_;
   bool detailed_;
   double wanted_ = 0, stiffness_ = 1, supply_ = 1;
+  double behindLag_ = 0;  ///< what the filter of commands gives
   double profile_ = 0, profileSpeed_ = 0;
   double law0_ = 0, law1_ = 0, error_ = 0, sense_ = 1;  ///< of the step
   double speedBefore_ = 0, step_ = 0, heat_ = 0;

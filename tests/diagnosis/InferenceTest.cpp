@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "gap/DutyTrial.h"
 #include "gap/ThreeRecordings.h"
 #include "gap/inference/LeaveOut.h"
@@ -38,6 +40,34 @@ TEST(Inference, findsTheCauseAndClaimsWhatItCloses) {
       meanClosed({leftIn(recordings({causeOfArm("coulomb_friction", "elbow", 0.15)}, 5)[1],
                          {{0, found.diagnosis.explanation()}})});
   EXPECT_NEAR(meanClosed(found.leftOut), measured, 0.1);
+}
+
+TEST(Inference, aFilterOfCommandsIsNoDelayAndADelayIsNoFilter) {
+  const Mechanism arm = twoJointArm();
+  for (const char* id : {"command_lag", "command_delay"}) {
+    const Inference found = infer(arm, recordings({causeOfArm(id, "elbow", 0.012)}), {});
+    ASSERT_EQ(found.diagnosis.findings.size(), 1) << id;
+    const Finding& finding = found.diagnosis.findings.front();
+    EXPECT_EQ(finding.cause.effect->id, id);
+    EXPECT_EQ(finding.cause.place.at, "elbow");
+    EXPECT_NEAR(finding.cause.value, 0.012, 0.0012) << id;
+    EXPECT_GT(finding.probability, 0.9) << id;
+    EXPECT_EQ(found.diagnosis.verdict, Verdict::effect) << id;
+  }
+}
+
+TEST(Inference, commandsThatTheServoTakesInStepsAreOutsideTheLibrary) {
+  // command_resolution of blind sets: neither a dead band nor a play is like it.
+  const Mechanism arm = twoJointArm();
+  std::vector<Trial> trials;
+  for (const Trial& asked : recordings({})) {
+    Trial taken = asked;
+    for (double& command : taken.command[1]) command = std::round(command / 0.03) * 0.03;
+    taken = recorded(plantOf(arm, {}), taken, 5e-4, 13 + trials.size());
+    taken.command = asked.command;
+    trials.push_back(std::move(taken));
+  }
+  EXPECT_EQ(infer(arm, std::move(trials), {}).diagnosis.verdict, Verdict::unknown);
 }
 
 TEST(Inference, sameAnswerWithAnyNumberOfThreads) {

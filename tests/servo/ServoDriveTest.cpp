@@ -143,6 +143,23 @@ TEST(ServoDrive, aProfileKeepsItsAccelerationAndArrives) {
   EXPECT_DOUBLE_EQ(way.back(), 0.4);
 }
 
+TEST(ServoDrive, aLagComesNearExponentially) {
+  JointPlant plant = servo();
+  plant.commandLag = 0.05;
+  ServoDrive drive(plant, true);
+  drive.start(0.1);
+  drive.command(0.5);
+  double sum = 0;
+  for (int i = 0; i < 100; ++i) {
+    drive.begin(h, {0.1, 0}, {0.1, 0});
+    sum += drive.torque(0) / 20 * h;
+  }
+  EXPECT_NEAR(sum, 0.4 * (100 * h - 0.05 * (1 - std::exp(-100 * h / 0.05))), 1e-12);
+  drive.start(0.2);
+  drive.begin(h, {0.2, 0}, {0.2, 0});
+  EXPECT_DOUBLE_EQ(drive.torque(0), 0) << "at rest again";
+}
+
 TEST(ServoDrive, dryFrictionOfEachKind) {
   JointPlant plant = servo();
   plant.coulomb = 0.3;

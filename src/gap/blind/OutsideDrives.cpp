@@ -32,7 +32,7 @@ constexpr std::array outsideLibrary{
                   &Drive::dampingOneWay},
     OutsideEffect{"gain_drift", {.where = Where::joint, .low = .3, .high = .6}, &Drive::drift},
     OutsideEffect{"servo_integral", {.where = Where::joint, .low = 1, .high = 4}, &Drive::integral},
-    OutsideEffect{"command_lag", {.where = Where::joint, .low = .02, .high = .06}, &Drive::lag},
+    OutsideEffect{"command_resolution", {.where = Where::joint, .low = .01, .high = .03}, &Drive::resolution},
     OutsideEffect{"crosstalk", {.where = Where::joint, .low = .05, .high = .2}, &Drive::crosstalk},
     OutsideEffect{"bristle_friction",
                   {.where = Where::joint, .low = .05, .high = .15, .unit = Unit::torque},
@@ -69,8 +69,7 @@ OutsideDrives::OutsideDrives(const Mechanism& robot, const std::vector<BlindEffe
 }
 
 void OutsideDrives::start(const std::vector<double>& commands) {
-  for (std::size_t j = 0; j < drives_.size(); ++j)
-    drives_[j].rest = drives_[j].lagged = drives_[j].bristleAt = commands[j];
+  for (std::size_t j = 0; j < drives_.size(); ++j) drives_[j].rest = drives_[j].bristleAt = commands[j];
 }
 
 void OutsideDrives::act(double time, double h, simulation::RobotSimulation& world,
@@ -95,7 +94,7 @@ double OutsideDrives::torque(Drive& drive, double q, double speed) const {
 }
 
 /// The command that makes this servo act as one with another law: its integral, its weaker gain,
-/// its lag, its neighbour's share.
+/// its steps, its neighbour's share.
 double OutsideDrives::targetFor(Drive& drive, std::size_t j, double time, double h, double measured,
                                 const std::vector<double>& targets) const {
   double target = targets[j];
@@ -105,7 +104,7 @@ double OutsideDrives::targetFor(Drive& drive, std::size_t j, double time, double
         parent > 0 ? static_cast<std::size_t>(parent) - 1 : std::min(j + 1, drives_.size() - 1);
     target += drive.crosstalk * (targets[other] - drives_[other].rest);
   }
-  if (drive.lag > 0) target = drive.lagged += (target - drive.lagged) * std::min(1.0, h / drive.lag);
+  if (drive.resolution > 0) target = std::round(target / drive.resolution) * drive.resolution;
   if (drive.integral > 0) {
     const double most = robot_.joints[j].maxTorque / robot_.joints[j].servo.kp;  // against winding up
     drive.summed = std::clamp(drive.summed + drive.integral * (target - measured) * h, -most, most);

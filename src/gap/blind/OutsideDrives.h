@@ -12,8 +12,8 @@ namespace plumbline::gap {
 /// The drive of one joint: sizes of its effects, and their state.
 struct OutsideDrive {
   double ripple = 0, spring = 0, cable = 0, dampingOneWay = 0, bristle = 0;
-  double drift = 0, integral = 0, lag = 0, crosstalk = 0;
-  double rest = 0, lagged = 0, summed = 0, bristleAt = 0;
+  double drift = 0, integral = 0, resolution = 0, crosstalk = 0;
+  double rest = 0, summed = 0, bristleAt = 0;
 };
 
 /// An effect outside the library (doc/reference/gap-blind.md): how it is drawn, and what its value is added

@@ -36,6 +36,7 @@ const Effect commandDelay{
     .apply = [](Plant& plant, const Place& place, double value,
                 int) { atJoints(plant, place, [value](JointPlant& joint) { joint.commandDelay += value; }); },
     .suspect = 7,
+    .alike = {"command_lag", 17},
     .drawing = {.where = DrawRange::Where::jointOrAll, .low = 0.003, .high = 0.02},
     .perJointFit = {.rank = 110},
     .planting = {.rank = 8,

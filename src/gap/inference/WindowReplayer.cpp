@@ -32,15 +32,20 @@ std::shared_ptr<const Replayer> replayerOf(const Mechanism& robot, const Groups&
 
 }  // namespace
 
-Eigen::VectorXd cosineCoefficients(const ResidualSeries& residuals, std::size_t from, std::size_t to,
-                                   std::size_t most) {
-  const std::size_t n = to - from, count = std::min(n, most);
-  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count));
-  for (std::size_t j = 0; j < count; ++j) {
+CosineBasis::CosineBasis(std::size_t length, std::size_t most)
+    : length_(length), count_(std::min(length, most)) {
+  for (std::size_t j = 0; j < count_; ++j)
+    for (std::size_t k = 0; k < length_; ++k)
+      values_.push_back(std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) /
+                                 static_cast<double>(length_)));
+}
+
+Eigen::VectorXd CosineBasis::coefficients(const ResidualSeries& residuals, std::size_t from) const {
+  const std::size_t n = length_;
+  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count_));
+  for (std::size_t j = 0; j < count_; ++j) {
     double sum = 0;
-    for (std::size_t k = 0; k < n; ++k)
-      sum += residuals[from + k] * std::cos(std::numbers::pi * static_cast<double>(j) *
-                                            (static_cast<double>(k) + 0.5) / static_cast<double>(n));
+    for (std::size_t k = 0; k < n; ++k) sum += residuals[from + k] * values_[j * n + k];
     coefficients[static_cast<Eigen::Index>(j)] =
         sum * std::sqrt((j == 0 ? 1.0 : 2.0) / static_cast<double>(n));
   }
@@ -133,6 +138,7 @@ void WindowReplayer::putFactors() {
 Coefficients WindowReplayer::plainCoefficients(const Replayer& replayer, const Explanation& causes) const {
   const Residuals residuals = replayer.residuals(causes);
   Coefficients result;
+  std::map<std::pair<std::size_t, std::size_t>, CosineBasis> bases;  // windows have few lengths
   for (const CoefficientCell& cell : cells_) {
     std::size_t shortest = mostCoefficients;
     for (const CoefficientCell::Part& part : cell.columns) shortest = std::min(shortest, part.to - part.from);
@@ -140,8 +146,11 @@ Coefficients WindowReplayer::plainCoefficients(const Replayer& replayer, const E
                                                static_cast<Eigen::Index>(cell.columns.size()));
     for (std::size_t w = 0; w < cell.columns.size(); ++w) {
       const CoefficientCell::Part& part = cell.columns[w];
-      if (const Series& series = residuals[part.trial][part.signal])
-        of.col(static_cast<Eigen::Index>(w)) = cosineCoefficients(*series, part.from, part.to, shortest);
+      const Series& series = residuals[part.trial][part.signal];
+      if (!series) continue;
+      const std::size_t length = part.to - part.from;
+      const CosineBasis& basis = bases.try_emplace({length, shortest}, length, shortest).first->second;
+      of.col(static_cast<Eigen::Index>(w)) = basis.coefficients(*series, part.from);
     }
     result.push_back(std::move(of));
   }

@@ -10,9 +10,18 @@
 
 namespace plumbline::gap {
 
-/// The first coefficients of the orthonormal cosine transform (DCT-II) of a stretch of residuals.
-Eigen::VectorXd cosineCoefficients(const ResidualSeries& residuals, std::size_t from, std::size_t to,
-                                   std::size_t most);
+/// The orthonormal cosine transform (DCT-II) of stretches of one length, at most so many first coefficients:
+/// its cosines, which take longer than the sums.
+class CosineBasis {
+public:
+  CosineBasis(std::size_t length, std::size_t most);
+  /// Of the stretch that begins there.
+  Eigen::VectorXd coefficients(const ResidualSeries& residuals, std::size_t from) const;
+
+private:
+  std::size_t length_, count_;
+  std::vector<double> values_;  ///< per coefficient and sample
+};
 
 /// Residuals of recordings that are replayed in windows from the measured state, for robots whose base is
 /// held. What a free replay adds up over seconds, a window forgets.

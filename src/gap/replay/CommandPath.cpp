@@ -24,6 +24,7 @@ CommandPath::CommandPath(const JointPlant& plant, const Trial& trial, std::size_
       lost_(lostCycles),
       losable_(!trial.command[joint].empty()),
       shift_(trial.commandAt[joint] + plant.commandDelay),
+      lag_(plant.commandLag),
       acceleration_(plant.accelerationLimit),
       fastest_(plant.profileSpeed) {
   if (!trial.stiffness[joint].empty()) stiffnesses_ = &trial.stiffness[joint];
@@ -35,7 +36,7 @@ CommandPath::CommandPath(const JointPlant& plant, const Trial& trial, std::size_
   torques_ = sent(trial.commandTorque);
   straight_ = trial.linearCommands;
   currentAt_ = time_.empty() ? 0 : time_.front() + shift_;
-  current_ = profile_ = end_ = firstFinite(*command_);
+  current_ = behindLag_ = profile_ = end_ = firstFinite(*command_);
   if (stiffnesses_) stiff_ = firstFinite(*stiffnesses_);
   if (voltages_) volts_ = firstFinite(*voltages_);
 }
@@ -49,6 +50,16 @@ void CommandPath::take(std::size_t cycle) {
   read(voltages_, volts_);
   read(speeds_, sentSpeed_);
   read(torques_, sentTorque_);
+}
+
+/// Integral [rad s] of what the filter gives while its input goes on from a value [rad] at a slope [rad/s],
+/// exactly.
+double CommandPath::filtered(double value, double slope, double duration) {
+  // Behind a ramp it ends up by what the ramp makes in one time constant.
+  const double follows = value - slope * lag_, away = behindLag_ - follows;
+  const double fades = std::expm1(-duration / lag_);
+  behindLag_ = follows + slope * duration + away * (1 + fades);
+  return (follows + slope * duration / 2) * duration - away * lag_ * fades;
 }
 
 /// Mean of the straight lines from each command that came to the next.
@@ -68,7 +79,8 @@ double CommandPath::line(double from, double to) {
                              : ((*command_)[ahead] - current_) / (time_[ahead] + shift_ - currentAt_);
     end_ = current_ + slope * (reached - currentAt_);
     if (reached > since) {
-      sum += (current_ + slope * ((since + reached) / 2 - currentAt_)) * (reached - since);
+      sum += lag_ > 0 ? filtered(current_ + slope * (since - currentAt_), slope, reached - since)
+                      : (current_ + slope * ((since + reached) / 2 - currentAt_)) * (reached - since);
       since = reached;
     }
     if (last || time_[ahead] + shift_ >= to) break;
@@ -77,17 +89,21 @@ double CommandPath::line(double from, double to) {
     take(ahead);
     next_ = ahead + 1;
   }
-  return to > from ? sum / (to - from) : current_;
+  if (lag_ > 0) end_ = behindLag_;
+  return to > from ? sum / (to - from) : lag_ > 0 ? behindLag_ : current_;
 }
 
 double CommandPath::target(double from, double to) {
   if (straight_) return line(from, to);
+  const auto held = [this](double duration) {
+    return lag_ > 0 ? filtered(current_, 0, duration) : current_ * duration;
+  };
   double sum = 0, since = from;
   while (next_ < time_.size() && time_[next_] + shift_ < to) {
     const double when = std::max(time_[next_] + shift_, from);
     if (!(losable_ && lost_ && (*lost_)[next_])) {
       if (next_ < command_->size() && std::isfinite((*command_)[next_])) {
-        sum += current_ * (when - since);
+        sum += held(when - since);
         since = when;
         current_ = (*command_)[next_];
       }
@@ -95,8 +111,9 @@ double CommandPath::target(double from, double to) {
     }
     ++next_;
   }
-  end_ = current_;
-  return to > since ? (sum + current_ * (to - since)) / (to - from) : current_;
+  const double mean = to > since ? (sum + held(to - since)) / (to - from) : lag_ > 0 ? behindLag_ : current_;
+  end_ = lag_ > 0 ? behindLag_ : current_;
+  return mean;
 }
 
 double CommandPath::profileOver(double from, double to) {

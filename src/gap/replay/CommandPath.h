@@ -8,8 +8,8 @@
 namespace plumbline::gap {
 
 /// The commands of one joint's servo over time: the trial's commands at the times at which they arrive,
-/// without lost cycles. If the servo has a speed or acceleration limit, its profile smooths them. Query in
-/// ascending time.
+/// without lost cycles. A servo's filter of first order smooths them, then its profile if it has a speed or
+/// acceleration limit. Query in ascending time.
 class CommandPath {
 public:
   /// lost: per cycle, whether its command was lost; null: none.
@@ -31,6 +31,7 @@ public:
 private:
   double target(double from, double to);
   double line(double from, double to);
+  double filtered(double value, double slope, double duration);
   void take(std::size_t cycle);
   double profileOver(double from, double to);
 
@@ -39,11 +40,12 @@ private:
   const std::vector<double>& time_;
   const std::vector<std::uint8_t>* lost_;
   bool losable_ = true;  ///< it gets commands
-  double shift_ = 0, acceleration_ = 0, fastest_ = 0;
+  double shift_ = 0, lag_ = 0, acceleration_ = 0, fastest_ = 0;
   std::size_t next_ = 0;
   double current_ = 0, stiff_ = 1, volts_ = 0, sentSpeed_ = 0, sentTorque_ = 0;
   bool straight_ = false;  ///< linear from command to command
   double currentAt_ = 0;   ///< when the current one was sent [s]
+  double behindLag_ = 0;   ///< what the filter gives
   double profile_ = 0, speed_ = 0, end_ = 0;
 };
 

@@ -63,6 +63,7 @@ Drive::Drive(const Mechanism& robot, int joint, const std::vector<RealityEffect>
     if (id == "gain_drift") drift_ += x, driftTime_ = e.number("time", 15);
     if (id == "servo_integral") integral_ += x;
     if (id == "command_lag") lag_ += x;
+    if (id == "command_resolution") resolution_ += x;
     if (id == "crosstalk") crosstalk_ += x;
     if (id == "bristle_friction") bristle_ += x;
   }
@@ -91,7 +92,8 @@ double Drive::setPoint(double t, double neighbour) {
     pending_.pop_front();
   }
   double set = current_ + crosstalk_ * neighbour;
-  if (lag_ > 0) set = lagged_ += (set - lagged_) * std::min(1.0, step_ / lag_);
+  if (resolution_ > 0) set = std::round(set / resolution_) * resolution_;
+  if (lag_ > 0) set = lagged_ += (set - lagged_) * (1 - std::exp(-step_ / lag_));
   if (acceleration_ == 0 && profileFastest_ > 0) {
     const double most = profileFastest_ * step_;
     set = profile_ += std::clamp(set - profile_, -most, most);

@@ -73,7 +73,7 @@ private:
   double bias_ = 0, derating_ = 0, heat_ = 0, offset_ = 0, wobble_ = 0, wobblePhase_ = 0;
   double ripple_ = 0, ripplePeriods_ = 24, ripplePhase_ = 0.7;
   double spring_ = 0, cable_ = 0, dampingOneWay_ = 0, drift_ = 0, driftTime_ = 15, integral_ = 0, lag_ = 0,
-         crosstalk_ = 0;
+         resolution_ = 0, crosstalk_ = 0;
   double bristle_ = 0;
 
   std::deque<std::pair<double, double>> pending_;

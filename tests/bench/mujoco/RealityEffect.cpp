@@ -67,6 +67,7 @@ const std::vector<EffectKind>& effectKinds() {
       {"profile_speed", "joint", false, true, "rad/s"},
       {"payload", "link", false, true, "kg"},
       {"supply_sag", "everywhere", false, true, "1"},
+      {"command_lag", "joint", false, true, "s"},  // first-order lag of the command
       // Outside the library:
       {"gear_ripple", "joint", false, false, "N m"},       // torque that repeats with the gear's teeth
       {"cogging", "joint", false, false, "N m"},           // the same, finer: the motor's magnets
@@ -75,9 +76,9 @@ const std::vector<EffectKind>& effectKinds() {
       {"asymmetric_damping", "joint", false, false, "N m s/rad"},  // in one direction of turning only
       {"gain_drift", "joint", false, false, "1"},                  // kp falls by this share within the run
       {"servo_integral", "joint", false, false, "1/s"},            // the servo sums its error up
-      {"command_lag", "joint", false, false, "s"},                 // first-order lag of the command
-      {"crosstalk", "joint", false, false, "1"},           // share of the neighbour's motion in the command
-      {"bristle_friction", "joint", false, false, "N m"},  // friction that builds up over 0.02 rad
+      {"command_resolution", "joint", false, false, "rad"},  // step of the commands that the servo takes
+      {"crosstalk", "joint", false, false, "1"},             // share of the neighbour's motion in the command
+      {"bristle_friction", "joint", false, false, "N m"},    // friction that builds up over 0.02 rad
       {"gyro_scale", "imu", true, false, "1"},
       {"acc_bias", "imu", true, false, "m/s^2"},
   };

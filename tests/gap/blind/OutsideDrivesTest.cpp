@@ -38,13 +38,14 @@ std::vector<double> commanded(const BlindEffect& effect, const std::vector<doubl
   return targets;
 }
 
-TEST(OutsideDrives, aGainThatFallsALagAnIntegralAndANeighbour) {
+TEST(OutsideDrives, aGainThatFallsStepsAnIntegralAndANeighbour) {
   EXPECT_EQ(commanded({"acc_bias", "imu", "x", 1, {}}, {0.1, 0.1}, {0.3, 0.2}), (std::vector{0.3, 0.2}));
   EXPECT_NEAR(commanded({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 15)[1], 0.15, 1e-12);
   EXPECT_NEAR(commanded({"gain_drift", "elbow", "", 0.5, {}}, {0.1, 0.1}, {0.3, 0.2}, 7.5)[1], 0.175, 1e-12);
-  // 1 - (1 - h / T)^n of the way.
-  EXPECT_NEAR(commanded({"command_lag", "elbow", "", 0.02, {}}, {0.1, 0.1}, {0.3, 0.2}, 0, 20)[1],
-              0.1 + 0.1 * (1 - std::pow(0.95, 20)), 1e-12);
+  EXPECT_NEAR(commanded({"command_resolution", "elbow", "", 0.03, {}}, {0.1, 0.1}, {0.3, 0.2})[1], 7 * 0.03,
+              1e-12);
+  EXPECT_NEAR(commanded({"command_resolution", "elbow", "", 0.03, {}}, {0.1, 0.1}, {0.3, -0.19})[1],
+              -6 * 0.03, 1e-12);
   EXPECT_NEAR(commanded({"servo_integral", "elbow", "", 2, {}}, {0.1, 0.1}, {0.3, 0.2}, 0, 50)[1],
               0.2 + 2 * 0.1 * 0.05, 1e-12);
   EXPECT_NEAR(commanded({"servo_integral", "elbow", "", 2, {}}, {0.1, 0.1}, {0.3, 5.1}, 0, 5000)[1],

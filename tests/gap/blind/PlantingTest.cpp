@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <set>
 
 #include "gap/blind/RealArm.h"
@@ -30,7 +31,8 @@ TEST(Planting, whatIsTakenOutOfTheModelIsWhatRealityHasMore) {
        {std::tuple{"servo_gain", "Elbow", 1.3}, std::tuple{"servo_damping", "Elbow", 1.5},
         std::tuple{"rotor_inertia", "Elbow", -0.004}, std::tuple{"link_mass", "lower", 0.05},
         std::tuple{"link_length", "lower", 1.1}, std::tuple{"joint_offset", "Elbow", 0.05},
-        std::tuple{"command_delay", "*", 0.02}, std::tuple{"bias_force", "Elbow", 0.1}})
+        std::tuple{"command_delay", "*", 0.02}, std::tuple{"bias_force", "Elbow", 0.1},
+        std::tuple{"command_lag", "Elbow", 0.02}, std::tuple{"command_lag", "Elbow", 0.1}})
     EXPECT_LT(inexactness(arm(), causeOf(arm().robot, id, place, value)), 0.05) << id;
 }
 
@@ -38,12 +40,32 @@ TEST(Planting, aMotorWithALawOfItsOwn) {
   const RealRecordings pendulum = realRecordings(findMechanism("xl330_pendulum"), "pendulum");
   for (const auto& [id, place, value] :
        {std::tuple{"servo_gain", "pendulum", 1.3}, std::tuple{"servo_damping", "pendulum", 1.3},
-        std::tuple{"joint_offset", "pendulum", -0.05}, std::tuple{"command_delay", "pendulum", 0.02}})
+        std::tuple{"joint_offset", "pendulum", -0.05}, std::tuple{"command_delay", "pendulum", 0.02},
+        std::tuple{"command_lag", "pendulum", 0.02}})
     EXPECT_LT(inexactness(pendulum, causeOf(pendulum.robot, id, place, value)), 0.05) << id;
   std::set<std::string_view> kinds;
   for (const Cause& cause : plantsFor(pendulum)) kinds.insert(cause.effect->id);
   EXPECT_FALSE(kinds.count("speed_limit") || kinds.count("torque_limit") || kinds.count("bias_force"));
   EXPECT_TRUE(kinds.count("servo_gain") && kinds.count("com_offset"));
+}
+
+TEST(Planting, aFilterOfCommandsThatMoveLinearlyIsTakenOutToo) {
+  RealRecordings lines = arm();
+  for (auto& run : lines.runs) run.linearCommands = true;
+  lines = {lines.robot, lines.runs};
+  EXPECT_LT(inexactness(lines, causeOf(lines.robot, "command_lag", "Elbow", 0.03)), 0.05);
+}
+
+TEST(Planting, aFilterIsTakenOutBesideCommandsThatWereNotRead) {
+  RealRecordings holes = arm();
+  for (auto& run : holes.runs)
+    for (std::size_t k = 50; k < run.size(); k += 7)
+      run.channels.at("cmd.Elbow")[k] = std::numeric_limits<double>::quiet_NaN();
+  holes = {holes.robot, holes.runs};
+  const RealRecordings with = planted(holes, causeOf(holes.robot, "command_lag", "Elbow", 0.03));
+  EXPECT_TRUE(std::isnan((*with.runs[0].find("cmd.Elbow"))[57]));
+  EXPECT_TRUE(std::isfinite((*with.runs[0].find("cmd.Elbow"))[58]));
+  EXPECT_LT(inexactness(holes, causeOf(holes.robot, "command_lag", "Elbow", 0.03)), 0.1);
 }
 
 TEST(Planting, settingsOfARunAreChangedWithTheModel) {

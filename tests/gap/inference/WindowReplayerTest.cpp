@@ -28,11 +28,11 @@ TEST(CosineCoefficients, keepTheNormAndTheMean) {
     squares += values.back() * values.back();
   }
   const ResidualSeries series(values);
-  const Eigen::VectorXd all = cosineCoefficients(series, 0, 16, 99);
+  const Eigen::VectorXd all = CosineBasis(16, 99).coefficients(series, 0);
   ASSERT_EQ(all.size(), 16);
   EXPECT_NEAR(all.squaredNorm(), squares, 1e-9);
   const ResidualSeries constant(std::vector<double>(9, 3.0));
-  const Eigen::VectorXd few = cosineCoefficients(constant, 0, 9, 4);
+  const Eigen::VectorXd few = CosineBasis(9, 4).coefficients(constant, 0);
   ASSERT_EQ(few.size(), 4);
   EXPECT_NEAR(few[0], 9, 1e-9);  // sqrt(9) times 3
   EXPECT_NEAR(few.tail(3).norm(), 0, 1e-9);

@@ -119,6 +119,7 @@ TEST(EngineRecording, EveryEffectShowsAsInTheOwnDynamics) {
                            Size{"link_load_friction", "shoulder", 0.3},
                            Size{"quadratic_load_friction", "shoulder", 1.3},
                            Size{"profile_speed", "elbow", 1},
+                           Size{"command_lag", "elbow", 0.05},
                            Size{"payload", "lower", 0.1}}) {
     const Effect* effect = findEffect(size.effect);
     for (int variant = 0; variant < effect->numVariants(); ++variant) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "../TwoJointArm.h"
@@ -95,6 +97,45 @@ TEST_F(CommandPathTest, anAccelerationLimitTakesItsTime) {
   EXPECT_NEAR(before, 0, 1e-9);
   EXPECT_NEAR(half - 0.05, 0.1, 0.003);
   EXPECT_NEAR(end, 1, 1e-6);
+}
+
+TEST_F(CommandPathTest, aLagComesNearExponentially) {
+  plant.commandLag = 0.02;
+  for (const double step : {0.003, 0.0125, 0.05}) {
+    CommandPath path(plant, trial, 0, nullptr);
+    double sum = 0;
+    for (double t = 0; t < 0.0999; t += step) {
+      const double to = std::min(0.1, t + step);
+      sum += path.over(t, to) * (to - t);
+      EXPECT_NEAR(path.atEnd(), to < 0.05 ? 0 : 1 - std::exp(-(to - 0.05) / 0.02), 1e-12) << step;
+    }
+    // The command's 0.05 rad s, less what it is behind in the end.
+    EXPECT_NEAR(sum, 0.05 - 0.02 * (1 - std::exp(-2.5)), 1e-12) << step;
+  }
+}
+
+TEST_F(CommandPathTest, behindAStraightLineItIsLateByItsTimeConstant) {
+  trial.linearCommands = true;
+  plant.commandLag = 0.001;
+  CommandPath path(plant, trial, 0, nullptr);
+  path.over(0, 0.047);
+  const double mean = path.over(0.047, 0.049);
+  EXPECT_NEAR(mean, 0.7, 1e-3);
+  EXPECT_NEAR(path.atEnd(), 0.8, 1e-3);
+}
+
+TEST_F(CommandPathTest, aDelayAndAProfileGoWithALag) {
+  plant.commandDelay = 0.01;
+  plant.commandLag = 0.02;
+  CommandPath path(plant, trial, 0, nullptr);
+  path.over(0, 0.06);
+  EXPECT_DOUBLE_EQ(path.atEnd(), 0);
+  path.over(0.06, 0.08);
+  EXPECT_NEAR(path.atEnd(), 1 - std::exp(-1), 1e-12);
+  plant.profileSpeed = 5;
+  CommandPath slow(plant, trial, 0, nullptr);
+  slow.over(0, 0.1);
+  EXPECT_NEAR(slow.atEnd(), 5 * 0.04, 2e-3) << "the profile is the slower one";
 }
 
 TEST_F(CommandPathTest, straightLinesGoFromCommandToCommand) {

@@ -157,6 +157,19 @@ TEST(MotorEffects, aProfileKeepsItsSpeed) {
   }
 }
 
+TEST(MotorEffects, ALagComesNearExponentially) {
+  MotorEffects motors(effects("  - {effect: command_lag, at: HeadYaw, value: 0.03}\n"
+                              "  - {effect: command_lag, at: HeadYaw, value: 0.01}\n"),
+                      0.02, 0);
+  motors.command(headYaw, 2);
+  double way = 0;
+  for (int i = 1; i <= 4; ++i) {
+    motors.beginCycle();
+    way += 0.02 * motors.velocity(headYaw);
+    EXPECT_NEAR(way, 2 * (0.02 * i - 0.04 * (1 - std::exp(-0.5 * i))), 1e-12);
+  }
+}
+
 TEST(MotorEffects, DelayCountsPartsOfACycle) {
   MotorEffects motors(effects("  - {effect: command_delay, at: HeadYaw, value: 0.03}\n"), 0.02, 0);
   EXPECT_TRUE(motors.touches(headYaw));

@@ -82,7 +82,7 @@ TEST(LeagueEffect, listsNameThemInTheirOrder) {
             "command_delay command_dropout servo_gain torque_limit speed_limit supply_voltage "
             "coulomb_friction backlash acceleration_limit joint_offset encoder_nonlinearity link_mass "
             "com_offset imu_misalignment gyro_bias imu_delay fsr_gain ground_friction ground_slope "
-            "ground_compliance profile_speed ");
+            "ground_compliance profile_speed command_lag ");
   EXPECT_EQ(findLeagueEffect("no_such"), nullptr);
 }
 
