@@ -33,4 +33,27 @@ TEST(LinearSearch, proposesASetForEachNumberOfCausesWithTheValuesOfTheOtherGroup
   EXPECT_EQ(shares.back(), 1);
 }
 
+TEST(LinearSearch, goesOnWithoutCausesThatReplaysShowNothingOf) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({causeOf(arm, "coulomb_friction", "shoulder", 0.15)}, 3));
+  WindowReplayer replayer(arm, groups, 1);
+  LinearSearchOptions options;
+  options.mostCauses = 3;
+  // Says it of everything but the friction that is there.
+  options.withoutEffect = [](const Explanation& causes) {
+    std::vector<std::size_t> idle;
+    for (std::size_t i = 0; i < causes.size(); ++i)
+      if (causes[i].effect->id != std::string("coulomb_friction")) idle.push_back(i);
+    return idle;
+  };
+  const std::vector<SetProposal> proposals = proposedSets(replayer, options);
+  ASSERT_GE(proposals.size(), 2U);
+  for (std::size_t i = 1; i < proposals.size(); ++i) {
+    ASSERT_EQ(proposals[i].set.causes().size(), 1U);
+    EXPECT_EQ(proposals[i].set.causes()[0].effect->id, std::string("coulomb_friction"));
+    EXPECT_NEAR(proposals[i].set.causes()[0].value, 0.15, 0.01);
+    EXPECT_EQ(proposals[i].lessOne.size(), 1U);
+  }
+}
+
 }  // namespace plumbline::gap

@@ -10,6 +10,8 @@ struct LinearSearchOptions {
   std::size_t mostCauses = 8;
   int rounds = 8;                 ///< of new derivatives, at most
   std::size_t mostSettled = 100;  ///< sets that are fitted to their end, those with the best scores
+  /// Causes of a fitted set, by index, that it must do without; none if empty. The others are fitted again.
+  std::function<std::vector<std::size_t>(const Explanation&)> withoutEffect = {};
   std::function<void(double share)> progress = {};
 };
 

@@ -22,10 +22,11 @@ bool sameKinds(const Explanation& a, const Explanation& b) {
 }
 
 /// A cause at its bound can do nothing and still change the replay: its kind is replayed in finer steps.
-bool allVisible(const Replayer& replayer, const Explanation& causes) {
+std::vector<std::size_t> invisible(const Replayer& replayer, const Explanation& causes) {
+  std::vector<std::size_t> found;
   for (std::size_t i = 0; i < causes.size(); ++i)
-    if (doesNothing(replayer.mechanism(), causes[i]) || !isVisible(replayer, causes, i)) return false;
-  return true;
+    if (doesNothing(replayer.mechanism(), causes[i]) || !isVisible(replayer, causes, i)) found.push_back(i);
+  return found;
 }
 
 /// Sets in descending order of score; of those with the same causes the best alone.
@@ -61,7 +62,7 @@ BeamResult chosen(const std::vector<SetProposal>& answers, const std::vector<Sco
 void addVisible(const Replayer& replayer, std::vector<SetProposal> proposals, std::size_t kinds,
                 std::vector<SetProposal>& answers) {
   for (SetProposal& proposal : proposals) {
-    if (!allVisible(replayer, proposal.set.causes())) continue;
+    if (!invisible(replayer, proposal.set.causes()).empty()) continue;
     const auto judge = [&](Scored& set) {
       set.gain = gainsOf(replayer, set.causes(), set.without);
       set.price = priceOf(set.causes().size(), kinds);
@@ -94,28 +95,29 @@ BeamResult searchInWindowsToo(const SearchTools& tools, const SetSearchOptions& 
 /// Few causes are fitted set by set. If that ends at the limit of causes, derivatives propose larger sets.
 BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions& options) {
   const Replayer& replayer = tools.replayer;
-  std::vector<Scored> few;
+  BeamResult few;
   if (!options.expectMany) {
     BeamOptions beam = static_cast<const BeamOptions&>(options);
     beam.mostCauses = std::min(options.mostCauses, mostSetBySet);
     beam.progress = partOf(options.progress, 0, 0.3);
-    BeamResult found = searchSets(replayer, beam);
-    const std::size_t size = found.sets.front().causes().size();
-    if (size < mostSetBySet || size == options.mostCauses) return found;
-    few = std::move(found.sets);
+    few = searchSets(replayer, beam);
+    const std::size_t size = few.sets.front().causes().size();
+    if (size < mostSetBySet || size == options.mostCauses) return few;
   }
   FreeCoefficients coefficients(options.quick ? *tools.coarse : replayer);
   LinearSearchOptions search;
   search.mostCauses = options.mostCauses;
   search.rounds = options.quick ? quickRounds : rounds;
   search.mostSettled = options.quick ? quickSettled : settled;
+  search.withoutEffect = [&](const Explanation& causes) { return invisible(replayer, causes); };
   search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
   const Shares nominal = sharesOf(replayer.groups(), replayer.residuals({}));
   // The best small set stopped at the limit, so it is no rival of large sets.
   const std::size_t kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
   std::vector<SetProposal> answers{{score(replayer, nominal, {}, kinds, 0), {}}};
   addVisible(replayer, proposedSets(coefficients, search), kinds, answers);
-  return chosen(answers, few, kinds);
+  if (answers.size() == 1 && !few.sets.empty()) return few;
+  return chosen(answers, few.sets, kinds);
 }
 
 }  // namespace
