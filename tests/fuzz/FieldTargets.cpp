@@ -33,7 +33,8 @@ void setPieceFile(std::string_view bytes) {
     for (const auto& places : {piece.kick, stand, piece.places})
       for (const SetPiecePlace& place : places)
         for (const Vec2& ball : {Vec2(0, 0), Vec2(-15, 0), Vec2(15, -10)})
-          require(place.at(ball, 15).allFinite(), "a place that is nowhere");
+          for (const bool onRight : {false, true})
+            require(place.at(ball, 15, onRight).allFinite(), "a place that is nowhere");
   });
 }
 
