@@ -196,7 +196,8 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 # three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); set pieces (TRIES, SEED, PLAYERS, OTHERS); what players
 # believe (GAMES, HALF, SEED, PLAYERS); searches by 1 to 30 workers (SLEEP); how fast a foot is and could be in a kick
 # (BENCH_ARGS=KICKS); the game of `make run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER); the thesis's tables of motions
-# by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE); how long builds take. All write their page in doc/results/.
+# by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE); how long
+# builds take. All write their page in doc/results/.
 benchBuilds-robust := bench-robust
 benchBuilds-clients := optserver optworker
 benchBuilds-optimisation-motions := optserver

@@ -1,5 +1,5 @@
 #!/usr/bin/env bash
-# Builds goals of one target, which is configured first if that is due: which is what `make TARGET` calls.
+# Builds goals of one target, which is configured first if that is due. `make TARGET` calls it.
 #   scripts/build.sh TARGET [GOAL]...     goals are names of programs, tests, bench, test-AREA, bench-AREA [all programs]
 # Variables: V=1 shows commands; JOBS is how many run at once [one per core]; CCACHE= goes without ccache.
 # Example: scripts/build.sh SimRelease agent simulator

@@ -11,7 +11,7 @@ namespace plumbline {
 
 /// A module that every agent needs, and the problem without it ("receives nothing from the robot").
 struct NeededModule {
-  std::string name, fallback;
+  std::string name, problem;
 };
 
 /// What an agent runs on: a league's server, a robot, a simulation in the program. A platform is a folder of

@@ -9,7 +9,6 @@
 #include <stdexcept>
 
 #include "framework/CrashLog.h"
-#include "framework/SignalDescriptor.h"
 
 namespace plumbline {
 namespace {
@@ -78,7 +77,7 @@ std::string StopSignal::reason() const {
   }
 }
 
-int signalDescriptor() {
+int StopSignal::caughtDescriptor() {
   const StopSignal* target = signalTarget.load();
   return target ? target->fileDescriptor() : -1;
 }

@@ -41,6 +41,9 @@ public:
   static void throwIfCaught() {
     if (caughtSignal.load(std::memory_order_relaxed) != 0) throw Stopped();
   }
+  /// The fileDescriptor() of the StopSignal that catches signals now; -1: none does. For waits deep within
+  /// long work, as throwIfCaught() is for its loops.
+  static int caughtDescriptor();
 
 private:
   static void handle(int signal);

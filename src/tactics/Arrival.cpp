@@ -14,10 +14,10 @@ double directionOf(const Vec2& way) { return std::atan2(way.y(), way.x()); }
 
 }  // namespace
 
-Walker walkedOn(const Walker& robot, double seconds, const WalkerSpeeds& speeds) {
-  Walker later = robot;
-  later.lies = std::max(0.0, robot.lies - seconds);
-  const double walks = seconds - (robot.lies - later.lies);
+MovingRobot movedOn(const MovingRobot& robot, double seconds, const MovingSpeeds& speeds) {
+  MovingRobot later = robot;
+  later.getUpSeconds = std::max(0.0, robot.getUpSeconds - seconds);
+  const double walks = seconds - (robot.getUpSeconds - later.getUpSeconds);
   if (robot.place) {
     const Vec2 way = robot.place->position - robot.position;
     const double distance = way.norm(), most = speeds.walk * walks;
@@ -36,9 +36,9 @@ Walker walkedOn(const Walker& robot, double seconds, const WalkerSpeeds& speeds)
   return later;
 }
 
-double secondsTo(const Walker& robot, const Vec2& to, const WalkerSpeeds& speeds) {
+double secondsTo(const MovingRobot& robot, const Vec2& to, const MovingSpeeds& speeds) {
   const Vec2 way = to - robot.position;
-  const double distance = way.norm(), seconds = robot.lies + distance / speeds.walk;
+  const double distance = way.norm(), seconds = robot.getUpSeconds + distance / speeds.walk;
   if (distance < anyWay) return seconds;
   const bool walks = robot.velocity.norm() > leastWalk;
   if (!robot.heading && !walks) return seconds;

@@ -6,25 +6,25 @@
 namespace plumbline {
 
 /// A robot on its way somewhere, as far as that is known; team's frame [m, m/s, rad].
-struct Walker {
+struct MovingRobot {
   Vec2 position = Vec2::Zero();
   Vec2 velocity = Vec2::Zero();
   std::optional<double> heading{};  ///< not known: the direction in which it walks
   std::optional<Pose2> place{};     ///< where it wants to stand; not known: it goes on for a while
-  double lies = 0;                  ///< until it has got up [s]
+  double getUpSeconds = 0;          ///< until it has got up [s]
 };
 
 /// How fast robots are [m/s, rad/s].
-struct WalkerSpeeds {
+struct MovingSpeeds {
   double walk = 0.8;
   double turn = 2;
 };
 
 /// The robot some seconds later: nearer to its place, or where its velocity leads it within a second.
-Walker walkedOn(const Walker& robot, double seconds, const WalkerSpeeds& speeds);
+MovingRobot movedOn(const MovingRobot& robot, double seconds, const MovingSpeeds& speeds);
 
 /// When a robot that goes to `to` from now on is there [s]: it gets up, turns and walks. At rest with no
 /// known heading it need not turn.
-double secondsTo(const Walker& robot, const Vec2& to, const WalkerSpeeds& speeds);
+double secondsTo(const MovingRobot& robot, const Vec2& to, const MovingSpeeds& speeds);
 
 }  // namespace plumbline

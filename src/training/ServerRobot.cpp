@@ -9,7 +9,6 @@
 #include <utility>
 
 #include "field/FieldSize.h"
-#include "framework/SignalDescriptor.h"
 #include "framework/StopSignal.h"
 #include "robot/LegKinematics.h"
 #include "simspark/LeagueRobots.h"
@@ -89,7 +88,7 @@ ServerRobot::ServerRobot(int type, const ServerAddress& address)
       alone_(mutexOf(address.text())),
       model_(simsparkRobot(type)),
       control_(model_) {
-  trainer_.interruptBy(signalDescriptor());
+  trainer_.interruptBy(StopSignal::caughtDescriptor());
   if (const std::string why = trainer_.connect(address_.host, address_.monitorPort); !why.empty()) {
     StopSignal::throwIfCaught();
     throw std::runtime_error(why + startFirst);
@@ -100,7 +99,7 @@ ServerRobot::ServerRobot(int type, const ServerAddress& address)
 void ServerRobot::join() {
   leaving_ = std::move(agent_);
   agent_ = {};
-  agent_.interruptBy(signalDescriptor());
+  agent_.interruptBy(StopSignal::caughtDescriptor());
   if (const std::string why = agent_.connect(address_.host, address_.agentPort); !why.empty()) {
     StopSignal::throwIfCaught();
     throw std::runtime_error(why + startFirst);

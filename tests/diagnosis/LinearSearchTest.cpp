@@ -40,7 +40,7 @@ TEST(LinearSearch, goesOnWithoutCausesThatReplaysShowNothingOf) {
   LinearSearchOptions options;
   options.mostCauses = 3;
   // Says it of everything but the friction that is there.
-  options.withoutEffect = [](const Explanation& causes) {
+  options.idleCauses = [](const Explanation& causes) {
     std::vector<std::size_t> idle;
     for (std::size_t i = 0; i < causes.size(); ++i)
       if (causes[i].effect->id != std::string("coulomb_friction")) idle.push_back(i);

@@ -56,6 +56,16 @@ protected:
     const std::uint64_t one = 1;
     EXPECT_EQ(write(stop, &one, sizeof one), static_cast<ssize_t>(sizeof one));
   }
+  /// Binds a socket to a free port of loopback.
+  static int boundPort(int fd) {
+    sockaddr_in address{};
+    address.sin_family = AF_INET;
+    address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+    socklen_t size = sizeof address;
+    EXPECT_EQ(bind(fd, reinterpret_cast<sockaddr*>(&address), size), 0);
+    getsockname(fd, reinterpret_cast<sockaddr*>(&address), &size);
+    return ntohs(address.sin_port);
+  }
   const int stop = eventfd(0, EFD_CLOEXEC);
 };
 
@@ -82,13 +92,7 @@ TEST_F(ConnectedSocketTest, whatTheNameServerSaysIsTheReason) {
 
 TEST_F(ConnectedSocketTest, connectsToNamesAndNumbers) {
   const int listener = socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  ASSERT_EQ(bind(listener, reinterpret_cast<sockaddr*>(&address), size), 0);
-  getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size);
-  const int port = ntohs(address.sin_port);
+  const int port = boundPort(listener);
   EXPECT_EQ(connectSocket("127.0.0.1", port, 5, stop).problem, "Connection refused");
   ASSERT_EQ(listen(listener, 4), 0);
   for (const char* host : {"127.0.0.1", "localhost"}) {
@@ -103,14 +107,8 @@ TEST_F(ConnectedSocketTest, connectsToNamesAndNumbers) {
 TEST_F(ConnectedSocketTest, aHostThatDoesNotAnswerIsGivenUp) {
   // Of a listener whose queue is full the kernel drops what comes.
   const int listener = socket(AF_INET, SOCK_STREAM, 0);
-  sockaddr_in address{};
-  address.sin_family = AF_INET;
-  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-  socklen_t size = sizeof address;
-  ASSERT_EQ(bind(listener, reinterpret_cast<sockaddr*>(&address), size), 0);
+  const int port = boundPort(listener);
   ASSERT_EQ(listen(listener, 0), 0);
-  getsockname(listener, reinterpret_cast<sockaddr*>(&address), &size);
-  const int port = ntohs(address.sin_port);
   std::vector<int> queued;
   ConnectedSocket last;
   for (int i = 0; i < 8 && last.problem.empty(); ++i) {

@@ -1,13 +1,15 @@
 #pragma once
 #include <algorithm>
-#include <array>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/ConfigFile.h"
 #include "math/Pose2.h"
 #include "representations/infrastructure/GameState.h"
 #include "representations/modeling/BallPos.h"
+#include "representations/modeling/OtherRobots.h"
+#include "representations/modeling/RobotPose.h"
 #include "support/Robots.h"
 
 namespace plumbline::test {
@@ -43,12 +45,29 @@ inline void placeBall(BallPos& ball, const Pose2& pose, const Vec2& place) {
 
 /// The key `mode`; missing: play is on.
 inline PlayMode modeOf(const ConfigSection& root) {
-  constexpr std::array modes{PlayMode::playOn,      PlayMode::kickOffOwn,      PlayMode::kickInOwn,
-                             PlayMode::goalKickOwn, PlayMode::cornerOwn,       PlayMode::freeKickOwn,
-                             PlayMode::passOwn,     PlayMode::kickOffOpponent, PlayMode::kickInOpponent};
+  const std::vector<std::pair<std::string, PlayMode>> modes{{"playOn", PlayMode::playOn},
+                                                            {"kickOffOwn", PlayMode::kickOffOwn},
+                                                            {"kickInOwn", PlayMode::kickInOwn},
+                                                            {"goalKickOwn", PlayMode::goalKickOwn},
+                                                            {"cornerOwn", PlayMode::cornerOwn},
+                                                            {"freeKickOwn", PlayMode::freeKickOwn},
+                                                            {"passOwn", PlayMode::passOwn},
+                                                            {"kickOffOpponent", PlayMode::kickOffOpponent},
+                                                            {"kickInOpponent", PlayMode::kickInOpponent}};
   if (!root.has("mode")) return PlayMode::playOn;
-  return modes[root.choice("mode", {"playOn", "kickOffOwn", "kickInOwn", "goalKickOwn", "cornerOwn",
-                                    "freeKickOwn", "passOwn", "kickOffOpponent", "kickInOpponent"})];
+  std::vector<std::string> names;
+  for (const auto& [name, mode] : modes) names.push_back(name);
+  return modes[root.choice("mode", names)].second;
+}
+
+/// Gives a module's harness the play mode, the robot, the ball and the other robots of a situation.
+template <class Harness>
+void placeScene(Harness& harness, const ConfigSection& root) {
+  const Pose2 robot = poseOf(root, "robot");
+  harness.template input<GameState>().playMode = modeOf(root);
+  harness.template input<RobotPose>().pose = robot;
+  placeBall(harness.template input<BallPos>(), robot, root.get<Vec2>("ball"));
+  harness.template input<OtherRobots>().robots = othersOf(root);
 }
 
 }  // namespace plumbline::test

@@ -12,10 +12,7 @@ void hasten(const ModelAndRuns& data, const Place& place, double by) {
       for (auto& [joint, timing] : run.timing) timing.cmdAt -= by;
       continue;
     }
-    std::map<std::string, JointTiming> timing;
-    for (const Mechanism::Joint& joint : data.robot.joints) timing[joint.name] = run.timingOf(joint.name);
-    timing[place.at].cmdAt -= by;
-    run.timing = std::move(timing);
+    hastenCommands(run, place.at, by);
   }
 }
 

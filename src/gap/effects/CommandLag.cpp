@@ -7,8 +7,9 @@ namespace plumbline::gap {
 
 namespace {
 
-/// Commands whose filtered ones are those given, held from one cycle to the next: at the end of each cycle
-/// the filter is where the command was. Meanwhile it is late; returns by how much in the mean [s].
+/// Replaces commands, which are held from one cycle to the next, by those that the filter turns into them: at
+/// the end of each cycle its output is the old command. Within the cycle it is late. Returns the mean of that
+/// lateness [s].
 double holdBefore(const std::vector<double>& time, double lag, std::vector<double>& commands) {
   const std::vector<double> wanted = commands;
   double last = std::numeric_limits<double>::quiet_NaN(), late = 0, held = 0;
@@ -34,7 +35,7 @@ void leadBefore(const std::vector<double>& time, double lag, std::vector<double>
   }
 }
 
-/// The runs say that the joint was sent what its filter made of it the commands recorded.
+/// The runs get the commands that the filter turns into the recorded ones, so a model without it is wrong.
 void sharpen(const ModelAndRuns& data, const Place& place, double lag) {
   for (Run& run : data.runs) {
     const auto commands = run.channels.find(channelName(ChannelKind::command, place.at));
@@ -43,9 +44,7 @@ void sharpen(const ModelAndRuns& data, const Place& place, double lag) {
       leadBefore(run.t, lag, commands->second);
       continue;
     }
-    JointTiming timing = run.timingOf(place.at);
-    timing.cmdAt -= holdBefore(run.t, lag, commands->second);
-    run.timing[place.at] = timing;
+    hastenCommands(run, place.at, holdBefore(run.t, lag, commands->second));
   }
 }
 

@@ -22,6 +22,12 @@ void shiftChannel(Run& run, ChannelKind kind, const std::string& joint, double b
     for (double& value : column->second) value += by;
 }
 
+void hastenCommands(Run& run, const std::string& joint, double by) {
+  JointTiming timing = run.timingOf(joint);
+  timing.cmdAt -= by;
+  run.timing[joint] = timing;
+}
+
 bool hasLinearServo(const Mechanism& robot, const Place& place) {
   return robot.joints[static_cast<std::size_t>(place.index)].servo.model == Servo::Model::position;
 }

@@ -38,6 +38,8 @@ void changeServo(const ModelAndRuns& data, const Place& place,
 void divide(std::optional<double>& value, double by);
 /// Adds to all values of a channel, if the run has it.
 void shiftChannel(Run& run, ChannelKind kind, const std::string& joint, double by);
+/// The run says that commands reached a joint's servo earlier by so much [s].
+void hastenCommands(Run& run, const std::string& joint, double by);
 /// The servo has the linear law, without a motor's voltage.
 bool hasLinearServo(const Mechanism& robot, const Place& place);
 

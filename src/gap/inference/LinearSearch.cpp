@@ -125,20 +125,15 @@ private:
     return sets;
   }
 
-  /// Derivatives say that a cause explains something where the replay with its value may show nothing.
-  StrengthSet withEffect(StrengthSet set) const {
-    if (!options_.withoutEffect) return set;
+  /// Derivatives may say that a cause explains something where the replay with its value shows nothing.
+  StrengthSet withoutIdle(StrengthSet set) const {
+    if (!options_.idleCauses) return set;
     for (;;) {
-      const std::vector<std::size_t> idle = options_.withoutEffect(fitter_.causesOf(set));
+      const std::vector<std::size_t> idle = options_.idleCauses(fitter_.causesOf(set));
       if (idle.empty()) return set;
-      StrengthSet rest;
-      rest.x.resize(set.x.size() - static_cast<Eigen::Index>(idle.size()));
-      for (std::size_t i = 0; i < set.kinds.size(); ++i) {
-        if (std::ranges::find(idle, i) != idle.end()) continue;
-        rest.x[static_cast<Eigen::Index>(rest.kinds.size())] = set.x[static_cast<Eigen::Index>(i)];
-        rest.kinds.push_back(set.kinds[i]);
-      }
-      set = fitter_.refine(rest, stepsAtEnd);
+      StrengthSet rest = set;
+      for (const std::size_t i : idle) rest = gap::without(rest, set.kinds[i]);
+      set = fitter_.refine(std::move(rest), stepsAtEnd);
     }
   }
 
@@ -146,7 +141,7 @@ private:
   std::vector<SetProposal> settled() const {
     std::vector<SetProposal> proposals;
     for (const SetScore& scored : worthSettling()) {
-      const StrengthSet set = withEffect(fitter_.refine(scored.set, stepsAtEnd));
+      const StrengthSet set = withoutIdle(fitter_.refine(scored.set, stepsAtEnd));
       const LinearResiduals linear = fitter_.linearise(set, set.kinds);
       SetProposal& proposal = proposals.emplace_back();
       proposal.set = asScored(linear.score(set.kinds));

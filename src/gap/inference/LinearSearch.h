@@ -10,8 +10,9 @@ struct LinearSearchOptions {
   std::size_t mostCauses = 8;
   int rounds = 8;                 ///< of new derivatives, at most
   std::size_t mostSettled = 100;  ///< sets that are fitted to their end, those with the best scores
-  /// Causes of a fitted set, by index, that it must do without; none if empty. The others are fitted again.
-  std::function<std::vector<std::size_t>(const Explanation&)> withoutEffect = {};
+  /// Which causes of a fitted set do nothing, by index: they leave it, and the others are fitted again. Null:
+  /// nobody looks.
+  std::function<std::vector<std::size_t>(const Explanation&)> idleCauses = {};
   std::function<void(double share)> progress = {};
 };
 

@@ -21,8 +21,9 @@ bool sameKinds(const Explanation& a, const Explanation& b) {
          });
 }
 
-/// A cause at its bound can do nothing and still change the replay: its kind is replayed in finer steps.
-std::vector<std::size_t> invisible(const Replayer& replayer, const Explanation& causes) {
+/// Those that do nothing that the replay shows, by index. A cause at its bound can do nothing and still
+/// change the replay: its kind is replayed in finer steps.
+std::vector<std::size_t> idleCauses(const Replayer& replayer, const Explanation& causes) {
   std::vector<std::size_t> found;
   for (std::size_t i = 0; i < causes.size(); ++i)
     if (doesNothing(replayer.mechanism(), causes[i]) || !isVisible(replayer, causes, i)) found.push_back(i);
@@ -58,11 +59,10 @@ BeamResult chosen(const std::vector<SetProposal>& answers, const std::vector<Sco
   return result;
 }
 
-/// Adds proposals whose causes can all be seen, scored by free replays and the price of so many kinds.
-void addVisible(const Replayer& replayer, std::vector<SetProposal> proposals, std::size_t kinds,
-                std::vector<SetProposal>& answers) {
+/// Adds proposals, scored by free replays and the price of so many kinds.
+void addScored(const Replayer& replayer, std::vector<SetProposal> proposals, std::size_t kinds,
+               std::vector<SetProposal>& answers) {
   for (SetProposal& proposal : proposals) {
-    if (!invisible(replayer, proposal.set.causes()).empty()) continue;
     const auto judge = [&](Scored& set) {
       set.gain = gainsOf(replayer, set.causes(), set.without);
       set.price = priceOf(set.causes().size(), kinds);
@@ -88,7 +88,10 @@ BeamResult searchInWindowsToo(const SearchTools& tools, const SetSearchOptions& 
   LinearSearchOptions search;
   search.mostCauses = options.mostCauses;
   search.progress = partOf(options.progress, 0.5, 1);
-  addVisible(tools.replayer, proposedSets(*tools.windows, search), found.kinds, answers);
+  std::vector<SetProposal> proposals = proposedSets(*tools.windows, search);
+  std::erase_if(proposals,
+                [&](const SetProposal& of) { return !idleCauses(tools.replayer, of.set.causes()).empty(); });
+  addScored(tools.replayer, std::move(proposals), found.kinds, answers);
   return chosen(answers, {found.sets.begin() + 1, found.sets.end()}, found.kinds);
 }
 
@@ -109,14 +112,16 @@ BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions&
   search.mostCauses = options.mostCauses;
   search.rounds = options.quick ? quickRounds : rounds;
   search.mostSettled = options.quick ? quickSettled : settled;
-  search.withoutEffect = [&](const Explanation& causes) { return invisible(replayer, causes); };
+  search.idleCauses = [&](const Explanation& causes) { return idleCauses(replayer, causes); };
   search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
   const Shares nominal = sharesOf(replayer.groups(), replayer.residuals({}));
   // The best small set stopped at the limit, so it is no rival of large sets.
   const std::size_t kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
   std::vector<SetProposal> answers{{score(replayer, nominal, {}, kinds, 0), {}}};
-  addVisible(replayer, proposedSets(coefficients, search), kinds, answers);
-  if (answers.size() == 1 && !few.sets.empty()) return few;
+  addScored(replayer, proposedSets(coefficients, search), kinds, answers);
+  const bool anyCause =
+      std::ranges::any_of(answers, [](const SetProposal& of) { return !of.set.causes().empty(); });
+  if (!anyCause && !few.sets.empty()) return few;
   return chosen(answers, few.sets, kinds);
 }
 

@@ -6,7 +6,7 @@
 #include <limits>
 #include <stdexcept>
 
-#include "framework/SignalDescriptor.h"
+#include "framework/StopSignal.h"
 #include "gap/record/SimulatedRecording.h"
 #include "gap/record/Waves.h"
 #include "robot/JointId.h"
@@ -32,7 +32,7 @@ public:
     for (const Mechanism::Joint& joint : robot_.joints) ids_.push_back(jointOf(joint.name, robot_));
     angles_.resize(ids_.size());
     speeds_.resize(ids_.size());
-    connection_.interruptBy(signalDescriptor());
+    connection_.interruptBy(StopSignal::caughtDescriptor());
     if (const std::string why = connection_.connect(options_.host, options_.port, options_.timeout);
         !why.empty()) {
       endIfStopped();

@@ -70,7 +70,7 @@ public:
     if (!token.empty()) command_.insert(command_.end(), {"--token", token});
     for (int i = 0; i < count; ++i) all_.emplace_back(start());
   }
-  /// All are told before the first is waited for.
+  /// All get their signal before the first is waited for.
   ~LocalWorkers() {
     for (const auto& worker : all_)
       if (worker->running()) kill(worker->pid(), SIGTERM);

@@ -109,7 +109,7 @@ Vec2 Formation::keptOff(const Vec2& place) const {
 const SetPiece* Formation::setPiece() {
   if (const SetPiece* now = pieces_.of(theGameState->playMode)) {
     piece_ = now;
-    onRight_ = side_.onRight(now, ball_);
+    side_.update(now, ball_);
     pieceSeen_ = theFrameInfo->time;
   } else if (piece_ && (theGameState->playMode != PlayMode::playOn || theFrameInfo->restarted ||
                         theFrameInfo->time - pieceSeen_ > piece_->lasts)) {
@@ -135,9 +135,10 @@ std::vector<Vec2> Formation::places() {
   std::vector<Vec2> places;
   for (int i = 0; i < table_.size(); ++i) {
     const auto place = static_cast<std::size_t>(i);
-    places.push_back(keptOff(piece && place < piece->places.size()
-                                 ? piece->places[place].at(ball, theFieldDimensions->length / 2, onRight_)
-                                 : table_.at(i, ball)));
+    places.push_back(
+        keptOff(piece && place < piece->places.size()
+                    ? piece->places[place].at(ball, theFieldDimensions->length / 2, side_.onRight())
+                    : table_.at(i, ball)));
   }
   if (!piece) block(places);
   return places;

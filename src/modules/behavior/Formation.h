@@ -74,7 +74,6 @@ private:
   SetPieces pieces_;
   const SetPiece* piece_ = nullptr;  ///< the one whose places hold
   SetPieceSide side_;
-  bool onRight_ = false;  ///< the piece's places are mirrored
   double pieceSeen_ = 0;  ///< its mode was the referee's last [s]
   PlayMode modeBefore_ = PlayMode::unknown;
   double nearAt_ = -1;   ///< when the ball was in reach last in an own restart; negative: never [s]

@@ -30,7 +30,7 @@ void SetPieceTaker::init() {
 }
 
 Vec2 SetPieceTaker::at(const SetPiecePlace& place) const {
-  return place.at(theBallPos->field, theFieldDimensions->length / 2, onRight_);
+  return place.at(theBallPos->field, theFieldDimensions->length / 2, side_.onRight());
 }
 
 /// How free the ball's way is, less what keeps mates from its end [m].
@@ -92,7 +92,7 @@ void SetPieceTaker::update(SetPieceOutput* theSetPieceOutput) {
     return;
   }
   const Vec2& ball = theBallPos->field;
-  onRight_ = side_.onRight(piece, ball);
+  side_.update(piece, ball);
   if (!piece->kick.empty()) {
     chosen_ = chooseKick(*piece);
     output.skill = Skill::kick;

@@ -44,7 +44,6 @@ private:
 
   SetPieces pieces_;
   SetPieceSide side_;
-  bool onRight_ = false;  ///< of the field
   const SetPiecePlace* chosen_ = nullptr;
 };
 

@@ -23,7 +23,7 @@ std::string inFolderOfAgent(const std::string& path) {
 }
 
 constexpr double connectPause = 0.1, refusedPause = 1;  // [s]
-constexpr double tellAfter = 2;                         ///< a wait is worth a word [s]
+constexpr double reportAfter = 2;                       ///< a wait is worth a word [s]
 constexpr double placeInterval = 5;                     ///< between two requests for a place [s]
 constexpr int maxPlaceRequests = 200;
 
@@ -147,15 +147,15 @@ void SimSparkConnection::answered() {
 void SimSparkConnection::lookForPlace(std::string_view text) {
   // The first message to a robot with a place says which; without one it stays beside the field.
   placed_ = text.find("(unum ") != std::string_view::npos;
-  if (!placed_) return tellWait(steadySeconds() - phaseSince_);
+  if (!placed_) return reportWait(steadySeconds() - phaseSince_);
   if (waitReported_ || wasHere_)
     notify((wasHere_ ? "back on port " : "plays on port ") + std::to_string(link_->ports.agent));
   waitReported_ = wasHere_ = false;
 }
 
-void SimSparkConnection::tellWait(double seconds) {
+void SimSparkConnection::reportWait(double seconds) {
   const std::string port = std::to_string(link_->ports.agent);
-  const bool due = !phaseReported_ && seconds > tellAfter;
+  const bool due = !phaseReported_ && seconds > reportAfter;
   phaseReported_ = phaseReported_ || due;
   if (phase_ == Phase::scene && due)
     notify("connected; port " + port +
@@ -195,7 +195,7 @@ bool SimSparkConnection::receive() {
         ++cycles_;
         return true;
       case simspark::Connection::Status::timeout:
-        if (!placed_) tellWait(steadySeconds() - phaseSince_);
+        if (!placed_) reportWait(steadySeconds() - phaseSince_);
         break;
       case simspark::Connection::Status::closed:
         lost();

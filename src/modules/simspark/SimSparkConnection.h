@@ -42,7 +42,7 @@ private:
   bool receive();
   void answered();
   void lookForPlace(std::string_view text);
-  void tellWait(double seconds);
+  void reportWait(double seconds);
   void lost();
   void notify(const std::string& line);
   void pause(double seconds) const;

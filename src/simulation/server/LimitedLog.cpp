@@ -16,7 +16,7 @@ void LimitedLog::operator()(const std::string& line) {
   log_(text);
 }
 
-void LimitedLog::tellOverdue() {
+void LimitedLog::reportOverdue() {
   for (const auto& [kind, keptBack] : limit_.takeOverdue(steadySeconds()))
     log_(std::to_string(keptBack) + " more lines were not written: " + (kind.empty() ? "various" : kind));
 }

@@ -21,7 +21,7 @@ public:
 
   void operator()(const std::string& line);
   /// Says of how many lines it said nothing; to be called now and then.
-  void tellOverdue();
+  void reportOverdue();
 
 private:
   LogFunction log_;

@@ -125,7 +125,7 @@ void MonitorPort::carryOut(Monitor& monitor, const simspark::ViewerCommand& comm
   if (!monitor.view) monitor.view = std::make_unique<MonitorScene>();
 }
 
-void MonitorPort::tellViewer(Monitor& monitor, bool regular) {
+void MonitorPort::sendToViewer(Monitor& monitor, bool regular) {
   monitor.viewStale = monitor.viewStale || regular;
   if (!monitor.viewStale || !monitor.client.idle()) return;
   const double now = steadySeconds();
@@ -146,7 +146,7 @@ void MonitorPort::sendState(bool regular) {
       monitor->clockSent = clock_.changes;
     }
     if (monitor->view)
-      tellViewer(*monitor, regular);
+      sendToViewer(*monitor, regular);
     else
       (monitor->informed ? anyInformed : anyNew) = true;
     if (monitor->acknowledge) monitor->client.send("best");

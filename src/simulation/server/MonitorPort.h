@@ -79,7 +79,7 @@ private:
   void carryOut(Monitor& monitor, const simspark::TrainerCommand& command);
   void carryOut(Monitor& monitor, const simspark::ClockCommand& command);
   void carryOut(Monitor& monitor, const simspark::ViewerCommand& command);
-  void tellViewer(Monitor& monitor, bool regular);
+  void sendToViewer(Monitor& monitor, bool regular);
 
   Config config_;
   Simulation& simulation_;

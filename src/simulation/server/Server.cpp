@@ -50,7 +50,7 @@ void Server::listen(int milliseconds) {
   const std::size_t firstViewer = descriptors_.size();
   if (field_) field_->watch(descriptors_);
   if (const double now = steadySeconds(); now - logLooked_ > 1) {
-    log_.tellOverdue();
+    log_.reportOverdue();
     logLooked_ = now;
   }
   if (poll(descriptors_.data(), descriptors_.size(), milliseconds) <= 0) return;
@@ -65,7 +65,7 @@ bool Server::clockIsStopped() const {
   return agents_.numAgents() < (started_ ? 1 : config_.waitForAgents);
 }
 
-void Server::tellWait() {
+void Server::reportWait() {
   if (monitors_.clock().stopped()) return;  // a trainer wants it so
   const double now = steadySeconds();
   if (!stood_ || waitReported_ == 0) {
@@ -92,17 +92,17 @@ bool Server::collect() {
     if (agents_.ready()) return true;
     // A client that comes during a wait for agents sees at least where everything is.
     monitors_.sendState(false);
-    tellField();
+    sendField();
     return false;
   }
-  tellWait();
+  reportWait();
   // Nothing moves, but trainers may set the scene and see it.
   const bool commanded = obeyTrainers();
   agents_.dropBroken();
   // Otherwise the last changes, or a robot that left, would only be seen when the clock goes on.
   const bool stopsNow = !std::exchange(stood_, true);
   monitors_.sendState(commanded || stopsNow || monitors_.owe());
-  tellField();
+  sendField();
   return false;
 }
 
@@ -125,12 +125,12 @@ void Server::cycle() {
   if (clock.steps > 0) --clock.steps;
   if (clock.speed > 0) waitForClock();
   monitors_.sendState(monitors_.due() || clock.paused);
-  tellField();
+  sendField();
   agents_.dropBroken();
   ++statistics_.cycles;
 }
 
-void Server::tellField() {
+void Server::sendField() {
   if (!field_) return;
   field_->sendState();
   field_->dropBroken();

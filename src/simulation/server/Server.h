@@ -58,11 +58,11 @@ private:
   bool obeyTrainers();
   void cycle();
   void openField();
-  void tellField();
+  void sendField();
   void waitForClock();
 
   /// Prints why nothing moves, after some time without motion.
-  void tellWait();
+  void reportWait();
 
   ServerConfig config_;
   LimitedLog log_;

@@ -36,8 +36,10 @@ Listener::Listener(const std::string& address, int port) {
   hints.ai_flags = AI_PASSIVE | AI_NUMERICHOST | AI_NUMERICSERV;  // a name server might not answer
   addrinfo* found = nullptr;
   const std::string numeric = address == "localhost" ? "127.0.0.1" : address;
-  if (getaddrinfo(numeric.c_str(), std::to_string(port).c_str(), &hints, &found) != 0)
-    throw std::runtime_error("cannot listen on " + address + ": it is no address, as 127.0.0.1 or ::1");
+  if (const int code = getaddrinfo(numeric.c_str(), std::to_string(port).c_str(), &hints, &found); code != 0)
+    throw std::runtime_error(
+        "cannot listen on " + address + ": " +
+        (code == EAI_NONAME ? "it is no address, as 127.0.0.1 or ::1" : gai_strerror(code)));
   fd_ = socket(found->ai_family, found->ai_socktype | SOCK_NONBLOCK | SOCK_CLOEXEC, found->ai_protocol);
   const int on = 1;
   if (fd_ >= 0) setsockopt(fd_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);

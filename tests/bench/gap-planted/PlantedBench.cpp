@@ -136,7 +136,7 @@ void run() {
   std::ostringstream page;
   page << "Seed " << seed << ", motions " << environmentText("MOTIONS", "sin_sin up_and_down") << ", "
        << cases << " cases each of " << environmentText("GAINS", "kp100 kp200 kp800")
-       << "; `--method sets`. The rules stand in tests/bench/gap-planted/PlantedBench.cpp. Ratio: what the "
+       << "; `--method sets`. The rules are in tests/bench/gap-planted/PlantedBench.cpp. Ratio: what the "
           "plant changes over\n"
           "what the answer without it leaves, root mean square of the positions. As: with its 95 % "
           "interval.\n\n"

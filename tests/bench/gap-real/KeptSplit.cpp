@@ -1,7 +1,6 @@
 #include "KeptSplit.h"
 
 #include <cstdio>
-#include <ctime>
 #include <filesystem>
 #include <fstream>
 #include <nlohmann/json.hpp>
@@ -9,6 +8,7 @@
 #include <stdexcept>
 
 #include "framework/WriteFile.h"
+#include "support/Today.h"
 
 namespace plumbline::bench {
 
@@ -47,13 +47,6 @@ double meanClosed(const RealSplit& split, const RealResult& r) {
     ++n;
   }
   return sum / n;
-}
-
-std::string today() {
-  const std::time_t now = std::time(nullptr);
-  char buffer[16];
-  std::strftime(buffer, sizeof buffer, "%Y-%m-%d", std::gmtime(&now));
-  return buffer;
 }
 
 std::string pageOf(const RealSplit& split, const RealResult& r, Method method) {

@@ -3,8 +3,8 @@
 # until the goal, how often there is one and how often the robot falls. The same again with kickRight as the only kick, which was
 # made by hand. BEFORE, the folder of an earlier state that is built (bin and config), plays the same seeds; BEFORE_NAME says what it
 # is. Without it its runs come from before.tsv next to this script, so that the page keeps them; those of a new BEFORE are in
-# build/bench/goal.work/before.tsv. Other settings by the environment: SEEDS of each type [25], SEED of the first [1], TYPES ["0 1 2 3 4"], LIMIT in simulated seconds [300], JOBS at once [cores]. Writes
-# build/bench/goal.json, goal.md and goal.svg. `make bench-goal` builds what it needs and writes doc/results/goal.md.
+# build/bench/goal.work/before.tsv. Other settings by the environment: SEEDS of each type [25], SEED of the first [1],
+# TYPES ["0 1 2 3 4"], LIMIT in simulated seconds [300], JOBS at once [cores]. Writes build/bench/goal.json, goal.md and goal.svg. `make bench-goal` builds what it needs and writes doc/results/goal.md.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
 seeds=${SEEDS:-25} seed=${SEED:-1} types=${TYPES:-0 1 2 3 4} limit=${LIMIT:-300} jobs=${JOBS:-$(nproc)} out=build/bench/goal

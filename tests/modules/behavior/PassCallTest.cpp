@@ -82,11 +82,7 @@ struct PassSituations : PassCallTest, testing::WithParamInterface<const char*> {
 TEST_P(PassSituations, areDecidedAsExpected) {
   const ConfigFile file = test::situationFile(std::string("passCall/") + GetParam());
   const ConfigSection& root = file.root();
-  harness.input<GameState>().playMode = test::modeOf(root);
-  const Pose2 robot = test::poseOf(root, "robot");
-  harness.input<RobotPose>().pose = robot;
-  test::placeBall(harness.input<BallPos>(), robot, root.get<Vec2>("ball"));
-  harness.input<OtherRobots>().robots = test::othersOf(root);
+  test::placeScene(harness, root);
   EXPECT_EQ(asks(), root.section("expected").get<int>("asks") == 1);
 }
 

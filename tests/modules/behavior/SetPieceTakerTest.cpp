@@ -133,11 +133,7 @@ struct SetPieceSituations : SetPieceTakerTest, testing::WithParamInterface<const
 TEST_P(SetPieceSituations, areDecidedAsExpected) {
   const ConfigFile file = test::situationFile(std::string("setPiece/") + GetParam());
   const ConfigSection& root = file.root();
-  harness.input<GameState>().playMode = test::modeOf(root);
-  const Pose2 robot = test::poseOf(root, "robot");
-  harness.input<RobotPose>().pose = robot;
-  test::placeBall(harness.input<BallPos>(), robot, root.get<Vec2>("ball"));
-  harness.input<OtherRobots>().robots = test::othersOf(root);
+  test::placeScene(harness, root);
   const SetPieceOutput& taken = output();
   ASSERT_TRUE(taken.active);
   const ConfigSection expected = root.section("expected");

@@ -78,11 +78,10 @@ Vec2 SetPiecePlace::at(const Vec2& ball, double halfLength, bool onRight) const 
   return {place.x(), side * place.y()};
 }
 
-bool SetPieceSide::onRight(const SetPiece* piece, const Vec2& ball) {
+void SetPieceSide::update(const SetPiece* piece, const Vec2& ball) {
   if (piece != piece_) onRight_ = false;
   piece_ = piece;
   if (std::abs(ball.y()) > middle) onRight_ = ball.y() < 0;
-  return onRight_;
 }
 
 SetPiece readSetPiece(const std::string& name, const ConfigSection& file) {

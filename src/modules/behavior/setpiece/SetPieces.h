@@ -41,8 +41,9 @@ class SetPieceSide {
 public:
   static constexpr double middle = 0.5;  ///< [m]
 
-  /// piece: the one that is played now; null: none. ball [m, team's frame].
-  bool onRight(const SetPiece* piece, const Vec2& ball);
+  /// In each cycle. piece: the one that is played. ball [m, team's frame].
+  void update(const SetPiece* piece, const Vec2& ball);
+  bool onRight() const { return onRight_; }
 
 private:
   const SetPiece* piece_ = nullptr;

@@ -28,11 +28,11 @@ double rollingSeconds(double way, double reach) {
   return way >= reach ? farAway : -ballRollingSeconds * std::log(1 - way / reach);
 }
 
-double firstOf(const std::vector<Walker>& robots, const Vec2& place, const WalkerSpeeds& speeds) {
+double firstOf(const std::vector<MovingRobot>& robots, const Vec2& place, const MovingSpeeds& speeds) {
   double first = farAway;
-  for (const Walker& robot : robots) {
-    const double soonest = std::min(first, farAway) * speeds.walk;
-    if ((robot.position - place).squaredNorm() < soonest * soonest)
+  for (const MovingRobot& robot : robots) {
+    const double within = first * speeds.walk;  // from farther away it would be later
+    if ((robot.position - place).squaredNorm() < within * within)
       first = std::min(first, secondsTo(robot, place, speeds));
   }
   return first;
@@ -65,24 +65,24 @@ double BallCourses::worthOfOut(const Vec2& end, bool overTheirLine) const {
 }
 
 Receivers BallCourses::receivers(double seconds) const {
-  const WalkerSpeeds ours{time_.walkSpeed, time_.turnSpeed};
-  const WalkerSpeeds theirs{situation_.opponentSpeed, time_.turnSpeed};
+  const MovingSpeeds ours{time_.walkSpeed, time_.turnSpeed};
+  const MovingSpeeds theirs{situation_.opponentSpeed, time_.turnSpeed};
   Receivers receivers;
   for (const OtherRobot& robot : situation_.others) {
-    Walker walker{.position = robot.position, .velocity = robot.velocity};
-    if (robot.fallen) walker.lies = time_.getUp;
+    MovingRobot moving{.position = robot.position, .velocity = robot.velocity};
+    if (robot.fallen) moving.getUpSeconds = time_.getUp;
     if (robot.mate) {
       if (const PlacedPlayer* player = situation_.places.of(robot.number)) {
-        walker.heading = player->heading;
-        if (player->placed) walker.place = player->place;
+        moving.heading = player->heading;
+        if (player->placed) moving.place = player->place;
       }
-      receivers.mates.push_back(walkedOn(walker, seconds, ours));
+      receivers.mates.push_back(movedOn(moving, seconds, ours));
       continue;
     }
     const Vec2 toBall = situation_.ball - robot.position;
     if (robot.velocity.dot(toBall) > comesToBall * robot.velocity.norm() * toBall.norm())
-      walker.place = Pose2(situation_.ball, std::atan2(toBall.y(), toBall.x()));
-    receivers.opponents.push_back(walkedOn(walker, seconds, theirs));
+      moving.place = Pose2(situation_.ball, std::atan2(toBall.y(), toBall.x()));
+    receivers.opponents.push_back(movedOn(moving, seconds, theirs));
   }
   return receivers;
 }

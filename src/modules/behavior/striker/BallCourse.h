@@ -14,7 +14,7 @@ struct BallPlay {
 
 /// The other robots at the moment when the ball is played.
 struct Receivers {
-  std::vector<Walker> mates, opponents;
+  std::vector<MovingRobot> mates, opponents;
 };
 
 /// What becomes of a ball that goes in one direction [rad].

@@ -19,7 +19,7 @@ void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
     settledFor_ = firstSettled;
     fresh_ = false;
   }
-  // The accelerometer reads the cycle before, so it is turned by the orientation of then.
+  // The accelerometer is a cycle late, so it is turned by the orientation of that cycle.
   const Vec3 accWorld = R_world_torso_ * acc;
   integrate(gyro, dt);
   tiltVariance_ += parameters_.tiltNoise * parameters_.tiltNoise;
