@@ -68,7 +68,8 @@ void Drawing::ellipse(const Place& centre, const Mat2& covariance, const shapes:
   constexpr int parts = 16;
   constexpr double round = 0.95;  // share of the longer axis from which nobody sees a difference
   if (!covariance.allFinite()) return;
-  // The variances along the axes of the ellipse are mean - half and mean + half; the longer axis is at `turn`.
+  // The variances along the axes of the ellipse are mean - half and mean + half; the longer axis is at
+  // `turn`.
   const double mean = covariance.trace() / 2, difference = (covariance(0, 0) - covariance(1, 1)) / 2,
                common = (covariance(0, 1) + covariance(1, 0)) / 2, half = std::hypot(difference, common);
   if (mean + half < 0) return;
