@@ -105,7 +105,7 @@ builds SimRelease
 # Files come and go, without a word to other folders.
 mkdir -p src/math/apart
 for name in More Most; do printf 'int %s() { return 1; }\n' $name > src/math/$name.cpp; done
-for name in A B C; do printf 'int apart%s() { return 1; }\n' $name > src/math/apart/$name.cpp; done
+for name in A B; do printf 'int apart%s() { return 1; }\n' $name > src/math/apart/$name.cpp; done
 builds SimRelease
 contains "two bundles" "$(compiled)" "src/math 2"
 printf 'int another() { return 1; }\n' > src/math/apart/Another.cpp
