@@ -22,8 +22,8 @@ public:
   }
   void add(const ReplayOptions& options) {
     // Of a replay each: joints, lostCycles.
-    const auto& [joints, step, gearStep, settle, restarts, lostCycles] = options;
-    all(step, gearStep, settle, restarts);
+    const auto& [joints, step, gearStep, settle, restarts, lostCycles, acrossCycles] = options;
+    all(step, gearStep, settle, restarts, acrossCycles);
   }
   void add(const DiagnosisOptions& options) {
     // Without influence: jobs, memory, progress.
