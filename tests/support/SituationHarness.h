@@ -1,39 +1,52 @@
 #pragma once
+#include <gtest/gtest.h>
+
 #include <algorithm>
+#include <filesystem>
+#include <stdexcept>
 #include <string>
-#include <utility>
 #include <vector>
 
-#include "framework/ConfigFile.h"
-#include "math/Pose2.h"
-#include "representations/infrastructure/GameState.h"
 #include "representations/modeling/BallPos.h"
-#include "representations/modeling/OtherRobots.h"
 #include "representations/modeling/RobotPose.h"
-#include "support/Robots.h"
+#include "situation/SituationFile.h"
 
 namespace plumbline::test {
 
-/// A file of tests/data/situations/: places in the team's frame and the decision that people expect [m, rad].
-inline ConfigFile situationFile(const std::string& name) {
-  return ConfigFile("tests/data/situations/" + name + ".yaml");
+/// The names of the situations in tests/data/situations/DECIDER, for INSTANTIATE_TEST_SUITE_P.
+inline std::vector<std::string> situationNames(const std::string& decider) {
+  std::vector<std::string> names;
+  std::error_code none;  // a test without a situation fails by itself
+  for (const auto& entry : std::filesystem::directory_iterator("tests/data/situations/" + decider, none))
+    if (entry.path().extension() == ".yaml") names.push_back(entry.path().stem().string());
+  std::ranges::sort(names);
+  return names;
 }
 
-inline Pose2 poseOf(const ConfigSection& section, const char* key) {
-  const Vec3 pose = section.get<Vec3>(key);
-  return {pose.x(), pose.y(), pose.z()};
-}
+inline std::string situationName(const testing::TestParamInfo<std::string>& info) { return info.param; }
 
-/// mates and opponents, [x, y] each, or the uniform number as well: [x, y, number].
-inline std::vector<OtherRobot> othersOf(const ConfigSection& root) {
-  std::vector<OtherRobot> others;
-  for (const bool mate : {true, false})
-    for (const auto& entry : root.get<std::vector<std::vector<double>>>(mate ? "mates" : "opponents")) {
-      if (entry.size() != 2 && entry.size() != 3) root.fail(mate ? "mates" : "opponents", "has no [x, y]");
-      addRobot(others, mate, {entry[0], entry[1]}, entry.size() > 2 ? static_cast<int>(entry[2]) : 0);
-    }
-  return others;
-}
+/// One of them. A failure while it lives says how to draw it.
+template <typename E>
+class WrittenSituation {
+public:
+  WrittenSituation(const std::string& decider, const std::string& name)
+      : file_("tests/data/situations/" + decider + "/" + name + ".yaml"),
+        situation_(readSituation(file_)),
+        trace_(file_.c_str(), 1, "to see it: bin/situations draw " + file_) {
+    if (deciderNames.at(static_cast<std::size_t>(situation_.decides)) != decider)
+      throw std::runtime_error(file_ + ": it is not decided by what its folder says");
+    if (!std::holds_alternative<E>(situation_.expected))
+      throw std::runtime_error(file_ + ": it has no `expected`: write what you expect");
+  }
+  const Situation& operator*() const { return situation_; }
+  const Situation* operator->() const { return &situation_; }
+  const E& expected() const { return std::get<E>(situation_.expected); }
+
+private:
+  std::string file_;
+  Situation situation_;
+  testing::ScopedTrace trace_;
+};
 
 /// A ball that rests and is in sight, as the robot at `pose` believes it.
 inline void placeBall(BallPos& ball, const Pose2& pose, const Vec2& place) {
@@ -43,31 +56,13 @@ inline void placeBall(BallPos& ball, const Pose2& pose, const Vec2& place) {
   ball.relative = pose.inverse() * place;
 }
 
-/// The key `mode`; missing: play is on.
-inline PlayMode modeOf(const ConfigSection& root) {
-  const std::vector<std::pair<std::string, PlayMode>> modes{{"playOn", PlayMode::playOn},
-                                                            {"kickOffOwn", PlayMode::kickOffOwn},
-                                                            {"kickInOwn", PlayMode::kickInOwn},
-                                                            {"goalKickOwn", PlayMode::goalKickOwn},
-                                                            {"cornerOwn", PlayMode::cornerOwn},
-                                                            {"freeKickOwn", PlayMode::freeKickOwn},
-                                                            {"passOwn", PlayMode::passOwn},
-                                                            {"kickOffOpponent", PlayMode::kickOffOpponent},
-                                                            {"kickInOpponent", PlayMode::kickInOpponent}};
-  if (!root.has("mode")) return PlayMode::playOn;
-  std::vector<std::string> names;
-  for (const auto& [name, mode] : modes) names.push_back(name);
-  return modes[root.choice("mode", names)].second;
-}
-
 /// Gives a module's harness the play mode, the robot, the ball and the other robots of a situation.
 template <class Harness>
-void placeScene(Harness& harness, const ConfigSection& root) {
-  const Pose2 robot = poseOf(root, "robot");
-  harness.template input<GameState>().playMode = modeOf(root);
-  harness.template input<RobotPose>().pose = robot;
-  placeBall(harness.template input<BallPos>(), robot, root.get<Vec2>("ball"));
-  harness.template input<OtherRobots>().robots = othersOf(root);
+void placeScene(Harness& harness, const Situation& situation) {
+  harness.template input<GameState>().playMode = situation.mode;
+  harness.template input<RobotPose>().pose = situation.robot;
+  placeBall(harness.template input<BallPos>(), situation.robot, situation.ball);
+  harness.template input<OtherRobots>().robots = situation.others;
 }
 
 }  // namespace plumbline::test
