@@ -110,6 +110,12 @@ Situation situationOfLog(LogReader& log, const LogReader::Thread& thread, double
   situation.ballVelocity = pose.pose.rotation() * ball.relativeVelocity;
   situation.ballAge = ball.age;
   situation.others = cycle.get<OtherRobots>().robots;
+  const auto mates = std::ranges::count(situation.others, true, &OtherRobot::mate);
+  const auto most = std::max<std::ptrdiff_t>(mates, std::ssize(situation.others) - mates);
+  if (most > SituationLimits::mostPlayers)
+    throw std::runtime_error(
+        fmt::format("{}: at {:.2f} s the player believes in a team of {}; take another time", log.path(),
+                    cycle.time(), most));
   std::ranges::stable_partition(situation.others, &OtherRobot::mate);
   if (decider == Decider::striker) {
     takeMates(cycle, situation);

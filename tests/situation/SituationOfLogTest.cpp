@@ -167,5 +167,11 @@ TEST_F(SituationOfLogTest, norOneThatDoesNotKnowTheBall) {
             scratch / "log" + ": at 0.04 s the player does not know where the ball is; take another time");
 }
 
+TEST_F(SituationOfLogTest, aTeamIsNoLargerThanItCanBe) {
+  for (int i = 0; i < 11; ++i) add(false, {5, 0}, 0);
+  EXPECT_EQ(errorAt(0.04),
+            scratch / "log" + ": at 0.04 s the player believes in a team of 12; take another time");
+}
+
 }  // namespace
 }  // namespace plumbline
