@@ -73,8 +73,7 @@ public:
   }
   /// All get their signal before the first is waited for.
   ~LocalWorkers() {
-    for (const auto& worker : all_)
-      if (worker->running()) kill(worker->pid(), SIGTERM);
+    for (const auto& worker : all_) worker->askToStop();
   }
   LocalWorkers(const LocalWorkers&) = delete;
   LocalWorkers& operator=(const LocalWorkers&) = delete;
