@@ -1,6 +1,8 @@
 #include "robot/ForwardKinematics.h"
 
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
 
 namespace plumbline {
@@ -17,6 +19,10 @@ Mat3 rotationAbout(const Vec3& u, double angle) {
   return r;
 }
 
+bool sameBits(double a, double b) {
+  return std::bit_cast<std::uint64_t>(a) == std::bit_cast<std::uint64_t>(b);
+}
+
 }  // namespace
 
 ForwardKinematics::ForwardKinematics(const RobotModel& model) : model_(model), totalMass_(model.totalMass()) {
@@ -29,16 +35,25 @@ ForwardKinematics::ForwardKinematics(const RobotModel& model) : model_(model), t
 
 void ForwardKinematics::update(const JointArray& angles) {
   Vec3 moment = Vec3::Zero();
+  std::array<bool, maxLinks> moved;
   for (std::size_t i = 0; i < model_.links.size(); ++i) {
     const Link& link = model_.links[i];
     Pose3& pose = T_torso_link_[i];
+    moved[i] = !known_;
     if (link.parent >= 0) {
-      const Pose3& parent = T_torso_link_[static_cast<std::size_t>(link.parent)];
-      pose.translation().noalias() = parent.linear() * link.origin + parent.translation();
-      pose.linear().noalias() = parent.linear() * rotationAbout(link.axis, angles[link.joint]);
+      const auto above = static_cast<std::size_t>(link.parent);
+      moved[i] = moved[above] || !known_ || !sameBits(angles[link.joint], angles_[link.joint]);
+      const Pose3& parent = T_torso_link_[above];
+      if (moved[i]) {
+        pose.translation().noalias() = parent.linear() * link.origin + parent.translation();
+        pose.linear().noalias() = parent.linear() * rotationAbout(link.axis, angles[link.joint]);
+      }
     }
-    moment += link.mass * (pose.linear() * link.com + pose.translation());
+    if (moved[i]) moments_[i] = link.mass * (pose.linear() * link.com + pose.translation());
+    moment += moments_[i];
   }
+  angles_ = angles;
+  known_ = true;
   com_ = moment / totalMass_;
 }
 

@@ -63,7 +63,37 @@ std::optional<Number> parse(std::string_view text) {
 }
 }  // namespace
 
+namespace {
+
+/// A number of the form -12.34 with few digits, which nearly all of the server's have. Numerator and power of
+/// ten are exact, so the one rounding is that of the division, and it is what from_chars says.
+std::optional<double> parseShort(std::string_view text) {
+  constexpr std::size_t mostDigits = 15;
+  static constexpr std::array<double, mostDigits + 1> powers = {1e0, 1e1, 1e2,  1e3,  1e4,  1e5,  1e6,  1e7,
+                                                                1e8, 1e9, 1e10, 1e11, 1e12, 1e13, 1e14, 1e15};
+  const bool negative = !text.empty() && text.front() == '-';
+  if (negative) text.remove_prefix(1);
+  if (text.empty() || text.size() > mostDigits) return std::nullopt;
+  std::int64_t digits = 0;
+  std::size_t point = text.size();
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char c = text[i];
+    if (c >= '0' && c <= '9')
+      digits = 10 * digits + (c - '0');
+    else if (c == '.' && point == text.size() && i > 0 && i + 1 < text.size())
+      point = i;
+    else
+      return std::nullopt;
+  }
+  const std::size_t decimals = point == text.size() ? 0 : text.size() - point - 1;
+  const double value = static_cast<double>(digits) / powers[decimals];
+  return negative ? -value : value;
+}
+
+}  // namespace
+
 std::optional<double> parseNumber(std::string_view text) {
+  if (const auto value = parseShort(text)) return value;
   const auto value = parse<double>(text);
   return value && std::isfinite(*value) ? value : std::nullopt;
 }

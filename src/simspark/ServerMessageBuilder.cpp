@@ -6,6 +6,10 @@
 
 namespace plumbline::simspark {
 
+namespace {
+constexpr std::size_t mostParts = 5;  ///< that the server tells of a player
+}
+
 Vec3 Polar::cartesian() const {
   return distance * Vec3(std::cos(elevation) * std::cos(azimuth), std::cos(elevation) * std::sin(azimuth),
                          std::sin(elevation));
@@ -73,7 +77,11 @@ void ServerMessageBuilder::closeObject(std::string_view objectName) {
 }
 
 void ServerMessageBuilder::closePart(std::string_view part) {
-  if (numPolars_ == 1) player().parts.push_back({std::string(part), polars_[0]});
+  if (numPolars_ == 1) {
+    auto& parts = player().parts;
+    if (parts.empty()) parts.reserve(mostParts);
+    parts.push_back({std::string(part), polars_[0]});
+  }
   numPolars_ = 0;
 }
 

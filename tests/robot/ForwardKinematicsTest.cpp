@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "math/Random.h"
 #include "simspark/LeagueRobots.h"
 
 namespace plumbline {
@@ -37,6 +38,25 @@ TEST(ForwardKinematics, standingComOfTypeZero) {
   const ForwardKinematics fk(robot);
   EXPECT_NEAR(fk.com().y(), 0, 1e-12);
   EXPECT_NEAR(fk.com().x(), 0.0169, 2e-3);
+}
+
+/// What has moved is worked out, whatever was there before, and to the bit.
+TEST(ForwardKinematics, isTheSameAfterOtherAngles) {
+  const RobotModel robot = simsparkRobot(4);
+  ForwardKinematics used(robot);
+  Random random(5);
+  JointArray angles{};
+  for (int i = 0; i < 200; ++i) {
+    for (int changes = i % 4; changes > 0; --changes)
+      angles[static_cast<std::size_t>(random.uniform(0, maxJoints))] = random.uniform(-1, 1);
+    if (i == 100) angles.fill(-0.0);
+    used.update(angles);
+    ForwardKinematics fresh(robot);
+    fresh.update(angles);
+    for (int link = 0; link < static_cast<int>(robot.links.size()); ++link)
+      ASSERT_TRUE(used.link(link).matrix() == fresh.link(link).matrix()) << link;
+    ASSERT_TRUE(used.com() == fresh.com());
+  }
 }
 
 TEST(ForwardKinematics, refusesTooManyLinks) {

@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <limits>
@@ -65,6 +66,26 @@ TEST(NumberFormat, generalIsWhatPrintfWrites) {
         std::ldexp(std::uniform_real_distribution<double>(-1, 1)(random), int(random() % 60) - 40));
     ASSERT_EQ(general(value), printed("%g", value));
   }
+}
+
+TEST(NumberFormat, aShortNumberIsParsedAsTheStandardLibraryDoes) {
+  std::mt19937 random(3);
+  const auto agrees = [](const std::string& text) {
+    double value = 0;
+    std::from_chars(text.data(), text.data() + text.size(), value);
+    const auto parsed = parseNumber(text);
+    return parsed && *parsed == value && std::signbit(*parsed) == std::signbit(value);
+  };
+  for (const char* text : {"0", "-0", "-0.00", "007.50", "5.", ".25", "-.5", "999999999999999",
+                           "0.1234567890123", "9999999999.9999", "123456789012345678", "0.3"})
+    EXPECT_TRUE(agrees(text)) << text;
+  for (int i = 0; i < 100000; ++i) {
+    const double value =
+        std::ldexp(std::uniform_real_distribution<double>(-1, 1)(random), int(random() % 50) - 20);
+    ASSERT_TRUE(agrees(fixed(value, int(random() % 8)))) << value;
+  }
+  for (const char* text : {"1.2.3", "--1", "-", "1-", ".", "-.", "1..2"})
+    EXPECT_FALSE(parseNumber(text)) << text;
 }
 
 TEST(NumberFormat, parsesWholeFiniteNumbersOnly) {

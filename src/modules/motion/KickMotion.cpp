@@ -15,6 +15,7 @@ void KickMotion::init() {
 }
 
 void KickMotion::read(const RobotModel& robot) {
+  robot_ = robot.name;
   kicks_ = readMotions(config, robot);
   std::erase_if(kicks_, [](const motion::KeyframeMotion& motion) { return !motion.kick; });
   std::ranges::stable_sort(kicks_, {},
@@ -38,8 +39,8 @@ void KickMotion::start() {
 void KickMotion::update(KickMotionOutput* theKickMotionOutput) {
   if (!theRobotDescription->known()) return;
   if (theRobotDescription->name != robot_) {
-    robot_ = theRobotDescription->name;
     read(theRobotDescription->model);
+    robot_ = theRobotDescription->name;
     player_ = {};
   }
   if (edited_ && edited_->saved() != saved_) {

@@ -10,7 +10,7 @@ MAKE_MODULE(SpecialActions)
 void SpecialActions::init() {
   edited_ = findObject<EditedMotion>();
   // Where main knows the robot, a broken file is reported before anything else starts.
-  if (const RobotModel* robot = findObject<RobotModel>()) readMotions(config, *robot);
+  if (const RobotModel* robot = findObject<RobotModel>()) read(*robot);
 }
 
 namespace {
@@ -23,6 +23,11 @@ std::vector<std::string> namesOf(const std::vector<motion::KeyframeMotion>& moti
 
 }  // namespace
 
+void SpecialActions::read(const RobotModel& robot) {
+  robot_ = robot.name;
+  motions_ = readMotions(config, robot);
+}
+
 void SpecialActions::start() {
   const std::string& name = theMotionSelection->specialAction;
   if (edited_ && name == EditedMotion::name) return player_.start(edited_->draft(), theJointData->angles);
@@ -34,14 +39,14 @@ void SpecialActions::start() {
 void SpecialActions::update(SpecialActionsOutput* theSpecialActionsOutput) {
   if (!theRobotDescription->known()) return;
   if (theRobotDescription->name != robot_) {
+    read(theRobotDescription->model);
     robot_ = theRobotDescription->name;
-    motions_ = readMotions(config, theRobotDescription->model);
     player_ = {};
   }
   if (edited_ && edited_->saved() != saved_) {
     saved_ = edited_->saved();
     try {
-      motions_ = readMotions(config, theRobotDescription->model);
+      read(theRobotDescription->model);
     } catch (const ConfigurationError& error) {
       log.error() << "the motions stay as they were: " << error.what();
     }

@@ -30,6 +30,7 @@ public:
   void update(SpecialActionsOutput* theSpecialActionsOutput) override;
 
 private:
+  void read(const RobotModel& robot);
   void start();
 
   std::vector<motion::KeyframeMotion> motions_;

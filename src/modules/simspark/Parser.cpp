@@ -154,10 +154,12 @@ void Parser::update(PolarLinePercept* thePolarLinePercept) {
 void Parser::update(PolarPlayerPercept* thePolarPlayerPercept) {
   thePolarPlayerPercept->players.clear();
   if (!readable_ || !message_.see) return;
+  thePolarPlayerPercept->players.reserve(message_.see->players.size());
   for (const simspark::SeenPlayer& seen : message_.see->players) {
     PolarPlayer& player = thePolarPlayerPercept->players.emplace_back();
     player.team = seen.team;
     player.number = seen.unum;
+    player.parts.reserve(seen.parts.size());
     for (const simspark::SeenBodyPart& part : seen.parts) {
       PolarBodyPart& bodyPart = player.parts.emplace_back();
       bodyPart.name = part.name;

@@ -15,6 +15,7 @@ void Kicks::init() {
 }
 
 void Kicks::read(const RobotModel& robot) {
+  robot_ = robot.name;
   kicks_.kicks.clear();
   for (const motion::KeyframeMotion& found : readMotions(config, robot)) {
     if (!found.kick) continue;
@@ -33,8 +34,8 @@ void Kicks::read(const RobotModel& robot) {
 
 void Kicks::update(SkillKickParameters* theSkillKickParameters) {
   if (theRobotDescription->known() && theRobotDescription->name != robot_) {
-    robot_ = theRobotDescription->name;
     read(theRobotDescription->model);
+    robot_ = theRobotDescription->name;
   }
   *theSkillKickParameters = kicks_;
 }

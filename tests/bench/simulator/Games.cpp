@@ -26,10 +26,12 @@ std::string agentStatistics(int i) { return folder + "simulator.agent" + std::to
 
 struct Account {
   json simulator;
-  double speed = 0;        ///< of the game clock [x real time]
-  double agentCpu = 0;     ///< mean of the agents [us per cycle]
-  double agentCycles = 0;  ///< of the agent that played the fewest
-  double memory = 0;       ///< [MB]
+  double speed = 0;         ///< of the game clock [x real time]
+  double agentCpu = 0;      ///< mean of the agents [us per cycle]
+  double allAgentsCpu = 0;  ///< of all agents together [us per cycle]
+  double firstCycle = 0;    ///< of an agent, mean [us]
+  double agentCycles = 0;   ///< of the agent that played the fewest
+  double memory = 0;        ///< [MB]
 };
 
 /// How fast the game clock goes from its first second to the simulator's end, as a monitor sees it.
@@ -84,10 +86,23 @@ Account play(int agentsPerTeam, int teams, std::vector<std::string> options) {
     if (!agent["cpu_us_per_cycle"].is_number())
       throw std::runtime_error("agent " + std::to_string(i) + " did not play a cycle; see " + folder +
                                "simulator.agents.out");
-    account.agentCpu += agent["cpu_us_per_cycle"].get<double>() / static_cast<double>(agents.size());
+    account.allAgentsCpu += agent["cpu_us_per_cycle"].get<double>();
+    account.firstCycle += agent["first_cycle_cpu_us"].get<double>() / static_cast<double>(agents.size());
     account.agentCycles = std::min(account.agentCycles, agent["cycles"].get<double>());
   }
+  account.agentCpu = account.allAgentsCpu / static_cast<double>(agents.size());
   return account;
+}
+
+/// What whole players and the simulator cost where eleven play eleven in step, so that none of them rests:
+/// what a soak of a day takes.
+void measurePlayers(Figures& figures) {
+  const Account game = play(11, 2, {"--sync", "--wait-agents", "22", "--max-seconds", "60"});
+  const double simulator = game.simulator["cpu_us_per_cycle"].get<double>();
+  figures.add("player_cycle_cpu_us_22", game.agentCpu, "us", "lower", 200);
+  figures.add("player_first_cycle_cpu_us", game.firstCycle, "us", "lower", 2000);
+  figures.add("players_game_cycle_cpu_us_22", simulator, "us", "lower");
+  figures.add("players_and_game_cpu_us_22", game.allAgentsCpu + simulator, "us", "lower", 4000);
 }
 
 /// One bin/agent in step. The best of three runs, as whatever else the machine does slows this one, in which
@@ -109,6 +124,7 @@ void measureOne(Figures& figures, const std::string& engine, const std::string& 
 void measureGames(Figures& figures) {
   measureOne(figures, "ode", "", 100, Peer{28, "rcssserver3d 0.7.3 with a UT agent"});
   measureOne(figures, "bullet", "_bullet", 150, Peer());
+  measurePlayers(figures);
 
   const Account full = play(11, 2, {"--realtime", "--wait-agents", "22", "--max-seconds", "30"});
   figures.add("game_x_real_time_22", full.speed, "x", "higher", 0.99);

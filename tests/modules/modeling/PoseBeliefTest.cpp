@@ -17,7 +17,7 @@ TEST(PoseBelief, predictionMovesPoseAndCovarianceAsSamplesDo) {
   const Vec3 deviations(0.01, 0.02, 0.015);
   PoseBelief belief{Pose2(1, 2, 0.5), deviations.cwiseAbs2().asDiagonal()};
   const Pose2 start = belief.pose, step(0.3, -0.1, 0.4);
-  belief.predict(step, Vec3::Zero());
+  PoseStep(step, Vec3::Zero()).apply(belief);
   EXPECT_LT(distance(belief.pose, start * step), 1e-12);
   Random random(2);
   Mat3 sum = Mat3::Zero();

@@ -14,9 +14,11 @@ std::vector<int> assign(const std::vector<std::vector<double>>& cost) {
   // Index 0 is nobody; workers and jobs count from 1.
   std::vector<double> priceOfWorker(workers + 1, 0), priceOfJob(jobs + 1, 0);
   std::vector<std::size_t> workerOf(jobs + 1, 0), before(jobs + 1, 0);
+  std::vector<double> least;
+  std::vector<char> used;
   for (std::size_t worker = 1; worker <= workers; ++worker) {
-    std::vector<double> least(jobs + 1, infinite);
-    std::vector<bool> used(jobs + 1, false);
+    least.assign(jobs + 1, infinite);
+    used.assign(jobs + 1, false);
     std::size_t job = 0;
     workerOf[0] = worker;
     do {

@@ -34,21 +34,28 @@ FormationTable::FormationTable(const ConfigSection& file) {
   checkRising(file, "ballX", ballX_);
   checkRising(file, "ballY", ballY_);
   if (ballY_[0] != 0) file.fail("ballY", "must begin with 0: the other side is its mirror image");
+  std::vector<Table> x, y;  // of each place
   for (const ConfigSection& section : file.list("places")) {
-    Place place;
-    place.name = section.get<std::string>("name");
-    place.x = section.get<std::vector<std::vector<double>>>("x", {-farthest, farthest});
-    place.y = section.get<std::vector<std::vector<double>>>("y", {-farthest, farthest});
-    checkTable(section, "x", place.x);
-    checkTable(section, "y", place.y);
-    places_.push_back(std::move(place));
+    places_.push_back({.name = section.get<std::string>("name")});
+    x.push_back(section.get<Table>("x", {-farthest, farthest}));
+    y.push_back(section.get<Table>("y", {-farthest, farthest}));
+    checkTable(section, "x", x.back());
+    checkTable(section, "y", y.back());
   }
   if (places_.empty() || places_.size() > maxPlaces) file.fail("places", "must be 1 to 10");
   findMirrors(file);
+  keep(x, y);
+}
+
+void FormationTable::keep(const std::vector<Table>& x, const std::vector<Table>& y) {
+  for (std::size_t j = 0; j < ballY_.size(); ++j)
+    for (std::size_t i = 0; i < ballX_.size(); ++i)
+      for (std::size_t place = 0; place < places_.size(); ++place)
+        corners_.emplace_back(x[place][j][i], y[place][j][i]);
 }
 
 void FormationTable::checkTable(const ConfigSection& section, const std::string& key,
-                                const std::vector<std::vector<double>>& table) const {
+                                const Table& table) const {
   const bool fits = table.size() == ballY_.size() &&
                     std::ranges::all_of(table, [&](const auto& row) { return row.size() == ballX_.size(); });
   if (!fits)
@@ -68,18 +75,18 @@ void FormationTable::findMirrors(const ConfigSection& file) {
 }
 
 Vec2 FormationTable::at(int place, const Vec2& ball) const {
-  const Place& own = places_[static_cast<std::size_t>(place)];
+  const auto own = static_cast<std::size_t>(place);
   const bool mirrored = ball.y() < 0;
-  const Place& from = mirrored ? places_[own.mirror] : own;
+  const std::size_t from = mirrored ? places_[own].mirror : own;
   const auto [i, shareX] = placeInTable(ballX_, ball.x());
   const auto [j, shareY] = placeInTable(ballY_, std::abs(ball.y()));
-  const auto mean = [i = i, j = j, shareX = shareX,
-                     shareY = shareY](const std::vector<std::vector<double>>& table) {
-    return std::lerp(std::lerp(table[j][i], table[j][i + 1], shareX),
-                     std::lerp(table[j + 1][i], table[j + 1][i + 1], shareX), shareY);
+  const Vec2 &a = corner(j, i, from), &b = corner(j, i + 1, from), &c = corner(j + 1, i, from),
+             &d = corner(j + 1, i + 1, from);
+  const auto mean = [&, shareX = shareX, shareY = shareY](int axis) {
+    return std::lerp(std::lerp(a[axis], b[axis], shareX), std::lerp(c[axis], d[axis], shareX), shareY);
   };
-  const double y = mean(from.y);
-  return {mean(from.x), mirrored ? -y : y};
+  const double y = mean(1);
+  return {mean(0), mirrored ? -y : y};
 }
 
 }  // namespace plumbline

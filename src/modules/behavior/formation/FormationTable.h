@@ -26,15 +26,20 @@ public:
 private:
   struct Place {
     std::string name;
-    std::size_t mirror = 0;                 ///< the place that is this one for a ball on the other side
-    std::vector<std::vector<double>> x, y;  ///< a row for each ballY_, a column for each ballX_
+    std::size_t mirror = 0;  ///< the place that is this one for a ball on the other side
   };
-  void checkTable(const ConfigSection& section, const std::string& key,
-                  const std::vector<std::vector<double>>& table) const;
+  using Table = std::vector<std::vector<double>>;  ///< a row for each ballY_, a column for each ballX_
+  void checkTable(const ConfigSection& section, const std::string& key, const Table& table) const;
+  void keep(const std::vector<Table>& x, const std::vector<Table>& y);
+  const Vec2& corner(std::size_t row, std::size_t column, std::size_t place) const {
+    return corners_[(row * ballX_.size() + column) * places_.size() + place];
+  }
   void findMirrors(const ConfigSection& file);
 
   std::vector<double> ballX_, ballY_;
   std::vector<Place> places_;
+  /// All places for a ball are together, because a player works out all of them in every cycle.
+  std::vector<Vec2> corners_;
 };
 
 }  // namespace plumbline

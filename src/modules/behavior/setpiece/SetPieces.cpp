@@ -105,14 +105,15 @@ SetPieces::SetPieces(const Config& config) {
     for (const PlayMode mode : piece.modes)
       if (const SetPiece* other = of(mode))
         file.fail("modes", "has a mode that " + other->name + ".yaml has already");
+    for (const PlayMode mode : piece.modes)
+      ofMode_[static_cast<std::size_t>(mode)] = static_cast<int>(pieces_.size());
     pieces_.push_back(std::move(piece));
   }
 }
 
 const SetPiece* SetPieces::of(PlayMode mode) const {
-  for (const SetPiece& piece : pieces_)
-    if (std::ranges::find(piece.modes, mode) != piece.modes.end()) return &piece;
-  return nullptr;
+  const int piece = ofMode_[static_cast<std::size_t>(mode)];
+  return piece < 0 ? nullptr : &pieces_[static_cast<std::size_t>(piece)];
 }
 
 }  // namespace plumbline

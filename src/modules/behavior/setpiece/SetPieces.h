@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -62,7 +63,14 @@ public:
   const std::vector<SetPiece>& all() const { return pieces_; }
 
 private:
+  static constexpr std::size_t numModes = static_cast<std::size_t>(PlayMode::unknown) + 1;
+
   std::vector<SetPiece> pieces_;
+  std::array<int, numModes> ofMode_ = [] {  ///< index of its piece, -1: none
+    std::array<int, numModes> none{};
+    none.fill(-1);
+    return none;
+  }();
 };
 
 /// One file's content. Throws ConfigurationError.

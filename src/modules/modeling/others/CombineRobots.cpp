@@ -25,7 +25,9 @@ OtherRobot combined(const OtherRobot& seen, const OtherRobot& heard) {
 
 std::vector<OtherRobot> combineRobots(const std::vector<OtherRobot>& seen,
                                       const std::vector<OtherRobot>& heard, double now, double ownSeconds) {
-  std::vector<OtherRobot> all = seen;
+  std::vector<OtherRobot> all;
+  all.reserve(seen.size() + heard.size());
+  all = seen;
   for (const OtherRobot& robot : heard) {
     const auto own = std::ranges::find_if(
         all, [&](const OtherRobot& r) { return r.mate == robot.mate && r.number == robot.number; });

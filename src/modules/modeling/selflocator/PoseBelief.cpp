@@ -40,11 +40,15 @@ struct Match {
   double cost = 1e9;
 };
 
-/// Fits a seen line to a segment; false if it cannot be it.
+/// Fits a seen line to a segment; false if it cannot be it. Nearly all segments are too far aside of the
+/// first end, so that is asked first.
 bool matchSegment(const LocalSegment& segment, const SeenEnd& a, const SeenEnd& b, Match& match) {
-  const Vec2 fromStartA = a.point.position - segment.start, fromStartB = b.point.position - segment.start;
-  const double sideA = segment.normal.dot(fromStartA), sideB = segment.normal.dot(fromStartB);
-  if (std::abs(sideA) > a.gate || std::abs(sideB) > b.gate) return false;
+  const Vec2 fromStartA = a.point.position - segment.start;
+  const double sideA = segment.normal.dot(fromStartA);
+  if (std::abs(sideA) > a.gate) return false;
+  const Vec2 fromStartB = b.point.position - segment.start;
+  const double sideB = segment.normal.dot(fromStartB);
+  if (std::abs(sideB) > b.gate) return false;
   const double alongA = segment.direction.dot(fromStartA), alongB = segment.direction.dot(fromStartB);
   match.segment = &segment;
   match.endA = alongA < alongB ? 0 : segment.length;
@@ -61,14 +65,16 @@ bool matchSegment(const LocalSegment& segment, const SeenEnd& a, const SeenEnd& 
 
 }  // namespace
 
-void PoseBelief::predict(const Pose2& step, const Vec3& noise) {
+PoseStep::PoseStep(const Pose2& step, const Vec3& noise) : step_(step), variance_(noise.cwiseAbs2()) {
   const Mat2 back = step.rotation().transpose();
-  Mat3 transition = Mat3::Identity();
-  transition.topLeftCorner<2, 2>() = back;
-  transition.topRightCorner<2, 1>() = back * perpendicular(step.position);
-  covariance = transition * covariance * transition.transpose();
-  covariance.diagonal() += noise.cwiseAbs2();
-  pose = pose * step;
+  transition_.topLeftCorner<2, 2>() = back;
+  transition_.topRightCorner<2, 1>() = back * perpendicular(step.position);
+}
+
+void PoseStep::apply(PoseBelief& belief) const {
+  belief.covariance = transition_ * belief.covariance * transition_.transpose();
+  belief.covariance.diagonal() += variance_;
+  belief.pose = belief.pose * step_;
 }
 
 /// Normal equations of the step (forward, left, turn) in the robot's frame.
@@ -100,15 +106,12 @@ struct PoseUpdate::Normal {
   }
 };
 
-void PoseUpdate::addLandmarks(const Pose2& pose, Normal& sum) const {
-  const Mat2 back = pose.rotation().transpose();
+void PoseUpdate::addLandmarks(const Pose2& pose, const Mat2& back, Normal& sum) const {
   for (const SeenLandmark& seen : view_.landmarks)
     sum.addPoint(back * (map_.landmark(seen.index) - pose.position) - seen.point.position, seen.point);
 }
 
-void PoseUpdate::addLines(const PoseBelief& belief, Normal& sum, Fit& fit) const {
-  if (view_.lines.empty()) return;
-  const Mat2 back = belief.pose.rotation().transpose();
+void PoseUpdate::addLines(const PoseBelief& belief, const Mat2& back, Normal& sum, Fit& fit) const {
   std::array<LocalSegment, FieldMap::numSegments> local;
   for (std::size_t i = 0; i < local.size(); ++i) {
     const FieldSegment& segment = map_.segments()[i];
@@ -146,6 +149,7 @@ void PoseUpdate::addLines(const PoseBelief& belief, Normal& sum, Fit& fit) const
 
 Fit PoseUpdate::apply(PoseBelief& belief) const {
   Fit fit;
+  Mat2 rotation = belief.pose.rotation();
   const auto step = [&](const Normal& sum) {
     const Mat3 measured = sum.matrix.selfadjointView<Eigen::Upper>();
     const Mat3 information = belief.covariance.inverse() + measured;
@@ -155,16 +159,19 @@ Fit PoseUpdate::apply(PoseBelief& belief) const {
     // What remains of the squared errors after the step: the joint Mahalanobis distance.
     fit.error += std::max(0.0, sum.error - sum.vector.dot(move));
     fit.measurements += sum.count;
-    belief.pose = belief.pose * Pose2(move.x(), move.y(), move.z());
+    belief.pose = Pose2(Vec2(belief.pose.position + rotation * Vec2(move.x(), move.y())),
+                        normalizeAngle(belief.pose.heading + move.z()));
   };
   // Landmarks first: they cannot be mistaken, and narrow the search for the lines.
   if (!view_.landmarks.empty()) {
     Normal sum;
-    addLandmarks(belief.pose, sum);
+    addLandmarks(belief.pose, rotation.transpose(), sum);
     step(sum);
   }
+  if (view_.lines.empty()) return fit;
+  if (!view_.landmarks.empty()) rotation = belief.pose.rotation();
   Normal sum;
-  addLines(belief, sum, fit);
+  addLines(belief, rotation.transpose(), sum, fit);
   if (sum.count > 0) step(sum);
   return fit;
 }

@@ -10,9 +10,19 @@ namespace plumbline {
 struct PoseBelief {
   Pose2 pose;
   Mat3 covariance = Mat3::Identity();
+};
 
-  /// The robot moved by step (T_before_now); noise: deviations of the step (forward, left, turn).
-  void predict(const Pose2& step, const Vec3& noise);
+/// The robot moved by step (T_before_now); noise: deviations of the step (forward, left, turn). Moves any
+/// number of beliefs.
+class PoseStep {
+public:
+  PoseStep(const Pose2& step, const Vec3& noise);
+  void apply(PoseBelief& belief) const;
+
+private:
+  Pose2 step_;
+  Mat3 transition_ = Mat3::Identity();
+  Vec3 variance_;
 };
 
 /// How well an image fits a belief.
@@ -33,8 +43,9 @@ public:
 
 private:
   struct Normal;
-  void addLandmarks(const Pose2& pose, Normal& sum) const;
-  void addLines(const PoseBelief& belief, Normal& sum, Fit& fit) const;
+  /// back: the inverse of the pose's rotation.
+  void addLandmarks(const Pose2& pose, const Mat2& back, Normal& sum) const;
+  void addLines(const PoseBelief& belief, const Mat2& back, Normal& sum, Fit& fit) const;
 
   const FieldMap& map_;
   const FieldView& view_;

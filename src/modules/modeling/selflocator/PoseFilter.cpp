@@ -49,7 +49,8 @@ void PoseFilter::predict(const Pose2& step, bool uncertain) {
   const double factor = uncertain ? uncertainFactor : 1;
   const double way = factor * (parameters_.stepNoise + parameters_.stepShare * step.position.norm());
   const double turn = factor * (parameters_.turnNoise + parameters_.turnShare * std::abs(step.heading));
-  for (Particle& particle : particles_) particle.belief.predict(step, Vec3(way, way, turn));
+  const PoseStep moved(step, Vec3(way, way, turn));
+  for (Particle& particle : particles_) moved.apply(particle.belief);
   estimatePose();
 }
 

@@ -1,6 +1,7 @@
 #include "modules/skills/path/PathPlanner.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -36,11 +37,18 @@ void keepRelevant(std::vector<Obstacle>& obstacles, const Vec2& start, const Vec
 }
 
 std::vector<Vec2> cornersOf(const std::vector<Obstacle>& obstacles, double corner) {
-  std::vector<Vec2> corners;
-  for (const Obstacle& obstacle : obstacles)
+  static const std::array<Vec2, cornersOfObstacle> directions = [] {
+    std::array<Vec2, cornersOfObstacle> all;
     for (int i = 0; i < cornersOfObstacle; ++i) {
       const double angle = 2 * pi * i / cornersOfObstacle;
-      const Vec2 p = obstacle.centre + corner * obstacle.radius * Vec2(std::cos(angle), std::sin(angle));
+      all[static_cast<std::size_t>(i)] = Vec2(std::cos(angle), std::sin(angle));
+    }
+    return all;
+  }();
+  std::vector<Vec2> corners;
+  for (const Obstacle& obstacle : obstacles)
+    for (const Vec2& direction : directions) {
+      const Vec2 p = obstacle.centre + corner * obstacle.radius * direction;
       const bool inside = std::ranges::any_of(
           obstacles, [&](const Obstacle& other) { return (p - other.centre).norm() < other.radius; });
       if (!inside) corners.push_back(p);

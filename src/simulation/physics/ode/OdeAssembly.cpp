@@ -134,6 +134,7 @@ AssemblyState OdeAssembly::state() const {
 
 void OdeAssembly::setState(const AssemblyState& state) {
   checkSize(state);
+  equations_->forgetAngles();
   std::vector<Pose3> poses(bodies_.size(), state.root.pose);
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     if (const int h = hingeOfBody_[i]; h >= 0) {
@@ -179,6 +180,7 @@ void OdeAssembly::checkSize(const AssemblyState& state) const {
 }
 
 void OdeAssembly::moveRigidly(const Pose3& T_world_root) {
+  equations_->forgetAngles();
   Pose3 T_new_old = T_world_root * bodyPose(bodies_[0]).inverse();
   // The inverse of a rotation that is off by a bit is off by twice as much the next time: stay a rotation.
   T_new_old.linear() = Eigen::Quaterniond(T_new_old.linear()).normalized().toRotationMatrix();

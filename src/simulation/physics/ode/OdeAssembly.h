@@ -39,6 +39,7 @@ public:
 
   dBodyID body(int index) const { return bodies_.at(static_cast<std::size_t>(index)); }
   dJointID hinge(int index) const { return hinges_.at(static_cast<std::size_t>(index)); }
+  double hingeAngle(int index) { return equations_->angle(static_cast<std::size_t>(index)); }
   AssemblyState state() const;
   void setState(const AssemblyState& state);
   void setVelocities(const AssemblyState& state);

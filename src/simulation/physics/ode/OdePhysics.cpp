@@ -70,9 +70,7 @@ public:
   void setMotor(int assembly, int hinge, double velocity) override {
     dJointSetHingeParam(get(assembly).hinge(hinge), dParamVel, velocity);
   }
-  double hingeAngle(int assembly, int hinge) const override {
-    return dJointGetHingeAngle(get(assembly).hinge(hinge));
-  }
+  double hingeAngle(int assembly, int hinge) const override { return get(assembly).hingeAngle(hinge); }
 
   void step() override {
     ensureThread();
@@ -85,6 +83,7 @@ public:
     }
     contactFinder_.makeJoints();
     dWorldStep(world_.id, config.stepSeconds);
+    for (const auto& [handle, assembly] : assemblies) assembly->tree().forgetAngles();
     contactFinder_.takeForces();
   }
   const std::vector<Contact>& contacts() const override { return contactFinder_.contacts(); }

@@ -53,13 +53,14 @@ void OdeTree::begin(const PhysicsConfig& config) {
   for (std::size_t i = 0; i < bodies_.size(); ++i) readBody(static_cast<int>(i), config);
   for (std::size_t i = 0; i < frames_.size(); ++i) {
     frames_[i].saturated = false;
-    readHinge(frames_[i], hinges_[i], config);
+    readHinge(i, config);
   }
-  solve(config);
+  tree_.factor();
+  tree_.solve(config.stepSeconds);
 }
 
 void OdeTree::solve(const PhysicsConfig& config) {
-  tree_.factor();
+  tree_.refactor();
   tree_.solve(config.stepSeconds);
 }
 
@@ -79,7 +80,8 @@ void OdeTree::readBody(int i, const PhysicsConfig& config) {
   dBodySetTorque(id, 0, 0, 0);
 }
 
-void OdeTree::readHinge(HingeFrame& hinge, dJointID id, const PhysicsConfig& config) {
+void OdeTree::readHinge(std::size_t index, const PhysicsConfig& config) {
+  HingeFrame& hinge = frames_[index];
   const double h = config.stepSeconds;
   TreeSystem::Body &child = tree_.body(hinge.spec.child), &parent = tree_.body(hinge.spec.parent);
   const Mat3 childRotation = toMat3(dBodyGetRotation(bodies_[at(hinge.spec.child)])),
@@ -94,8 +96,8 @@ void OdeTree::readHinge(HingeFrame& hinge, dJointID id, const PhysicsConfig& con
   joint.compliance = config.constraintCfm / h;
   joint.axisCompliance = hinge.spec.cfm / h;
 
-  const double angle = dJointGetHingeAngle(id);
-  hinge.motorVelocity = dJointGetHingeParam(id, dParamVel);
+  const double angle = this->angle(index);
+  hinge.motorVelocity = dJointGetHingeParam(hinges_[index], dParamVel);
   hinge.stop = angle <= hinge.spec.lower ? -1 : angle >= hinge.spec.upper ? 1 : 0;
   joint.axisFree = hinge.stop != 0 || !(hinge.spec.maxTorque > 0);
   if (hinge.stop == 0) {
@@ -156,14 +158,24 @@ bool OdeTree::finish(const PhysicsConfig& config) {
     if (joint.axisFree) continue;
     if (std::abs(tree_.motorImpulse(hinge.spec.child)) <= hinge.spec.maxTorque * config.stepSeconds) continue;
     hinge.saturated = true;
-    joint.axisFree = true;
+    tree_.freeAxis(hinge.spec.child);
     joint.angular -= hinge.motorVelocity * joint.axis;
     ok = false;
   }
   return ok;
 }
 
+double OdeTree::angle(std::size_t hinge) {
+  if (!anglesKnown_) {
+    angles_.clear();
+    for (dJointID id : hinges_) angles_.push_back(dJointGetHingeAngle(id));
+    anglesKnown_ = true;
+  }
+  return angles_.at(hinge);
+}
+
 void OdeTree::integrate(const PhysicsConfig& config) {
+  forgetAngles();
   const double h = config.stepSeconds;
   for (std::size_t i = 0; i < bodies_.size(); ++i) {
     const Vec6& spatial = tree_.velocity(static_cast<int>(i));

@@ -41,6 +41,10 @@ public:
   void solve(const PhysicsConfig& config);
   /// Moves the bodies by their new velocities.
   void integrate(const PhysicsConfig& config);
+  /// Of a hinge. Sensors, commands and the equations of the next step ask for the same one.
+  double angle(std::size_t hinge);
+  /// To be called when somebody else has moved the bodies.
+  void forgetAngles() { anglesKnown_ = false; }
 
   const Vec3& origin() const { return origin_; }
   TreeSystem& tree() { return tree_; }
@@ -56,7 +60,7 @@ private:
   };
 
   void readBody(int i, const PhysicsConfig& config);
-  void readHinge(HingeFrame& hinge, dJointID id, const PhysicsConfig& config);
+  void readHinge(std::size_t index, const PhysicsConfig& config);
   void push(TreeSystem::Body& child, TreeSystem::Body& parent, const HingeFrame& hinge, const Vec3& axis);
 
   std::vector<dBodyID> bodies_;
@@ -64,6 +68,8 @@ private:
   std::vector<Mat3> inertias_;  ///< in the bodies' frames
   std::vector<double> masses_;
   std::vector<HingeFrame> frames_;
+  std::vector<double> angles_;
+  bool anglesKnown_ = false;
   TreeSystem tree_;
   Vec3 origin_ = Vec3::Zero();
 };

@@ -1,5 +1,6 @@
 #include "simulation/physics/tree/TreeSystem.h"
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
 
@@ -55,9 +56,8 @@ Vec6 motorRow(const TreeSystem::Joint& joint) {
   return row;
 }
 
-}  // namespace
-
-Mat6 inverseSpd(const Mat6& m) {
+/// Writes the inverse where it is to stand: every step inverts two matrices for each body, and copies add up.
+void invertSpd(const Mat6& m, Mat6& result) {
   // L L^T = m, then the columns of L^-1, then L^-T L^-1.
   double l[6][6], inverse[6][6] = {};
   for (int j = 0; j < 6; ++j) {
@@ -78,13 +78,19 @@ Mat6 inverseSpd(const Mat6& m) {
       inverse[i][j] = s * l[i][i];
     }
   }
-  Mat6 result;
   for (int j = 0; j < 6; ++j)
     for (int i = j; i < 6; ++i) {
       double s = 0;
       for (int k = i; k < 6; ++k) s += inverse[k][i] * inverse[k][j];
       result(i, j) = result(j, i) = s;
     }
+}
+
+}  // namespace
+
+Mat6 inverseSpd(const Mat6& m) {
+  Mat6 result;
+  invertSpd(m, result);
   return result;
 }
 
@@ -95,7 +101,7 @@ TreeSystem::TreeSystem(std::vector<int> parents) : parents_(std::move(parents)) 
   bodies_.resize(parents_.size());
   joints_.resize(parents_.size());
   factors_.resize(parents_.size());
-  inertias_.resize(parents_.size());
+  ownInertias_.resize(parents_.size());
   momenta_.resize(parents_.size());
   pushes_.resize(parents_.size());
   carried_.resize(parents_.size());
@@ -104,31 +110,61 @@ TreeSystem::TreeSystem(std::vector<int> parents) : parents_(std::move(parents)) 
 }
 
 void TreeSystem::factor() {
-  for (std::size_t i = 0; i < bodies_.size(); ++i)
-    inertias_[i] = spatialInertia(bodies_[i].mass, bodies_[i].inertia, bodies_[i].position);
+  for (std::size_t i = 0; i < bodies_.size(); ++i) {
+    ownInertias_[i] = spatialInertia(bodies_[i].mass, bodies_[i].inertia, bodies_[i].position);
+    factors_[i].stale = true;
+  }
+  eliminate();
+}
+
+void TreeSystem::freeAxis(int child) {
+  joints_[at(child)].axisFree = true;
+  factors_[at(child)].stale = true;
+}
+
+void TreeSystem::refactor() {
+  if (std::ranges::any_of(factors_, &Factor::stale)) eliminate();
+}
+
+void TreeSystem::eliminate() {
+  inertias_ = ownInertias_;
   for (std::size_t i = bodies_.size(); i-- > 0;) {
     Factor& f = factors_[i];
-    f.inverseInertia = inverseSpd(inertias_[i]);
     f.responseKnown = false;
-    if (i == 0) break;
-    const Joint& joint = joints_[i];
-    f.gap = joint.parentAnchor - joint.childAnchor;
-    f.stiffness = inverseSpd(f.inverseInertia + complianceAboutOrigin(joint));
-    if (joint.axisFree) {
-      // The joint's impulse may have no part about the axis.
-      const Vec6 row = motorRow(joint);
-      const Vec6 sa = f.stiffness * row;
-      f.stiffness -= sa * sa.transpose() / row.dot(sa);
+    if (f.stale) {
+      f.stale = false;
+      invertSpd(inertias_[i], f.inverseInertia);
+      if (i == 0) break;
+      const Joint& joint = joints_[i];
+      f.gap = joint.parentAnchor - joint.childAnchor;
+      invertSpd(f.inverseInertia + complianceAboutOrigin(joint), f.stiffness);
+      if (joint.axisFree) {
+        // The joint's impulse may have no part about the axis.
+        const Vec6 row = motorRow(joint);
+        const Vec6 sa = f.stiffness * row;
+        f.stiffness -= sa * sa.transpose() / row.dot(sa);
+      }
+      f.carried = carryToParent(f.stiffness, f.gap);
+      f.pathKnown = false;
+      factors_[at(parents_[i])].stale = true;
     }
-    const Mat6 ms = f.inverseInertia * f.stiffness;
-    f.own = f.inverseInertia - ms * f.inverseInertia;
-    // up = Z^T S^-1 M^-1
-    const Mat6 sm = ms.transpose();
-    const Mat3 d = cross(f.gap);
-    f.up.topRows<3>() = sm.topRows<3>();
-    f.up.bottomRows<3>() = sm.bottomRows<3>() + d * sm.topRows<3>();
-    inertias_[at(parents_[i])] += carryToParent(f.stiffness, f.gap);
+    if (i == 0) break;
+    inertias_[at(parents_[i])] += f.carried;
   }
+}
+
+const TreeSystem::Factor& TreeSystem::path(int body) {
+  Factor& f = factors_[at(body)];
+  if (f.pathKnown) return f;
+  f.pathKnown = true;
+  const Mat6 ms = f.inverseInertia * f.stiffness;
+  f.own = f.inverseInertia - ms * f.inverseInertia;
+  // up = Z^T S^-1 M^-1
+  const Mat6 sm = ms.transpose();
+  const Mat3 d = cross(f.gap);
+  f.up.topRows<3>() = sm.topRows<3>();
+  f.up.bottomRows<3>() = sm.bottomRows<3>() + d * sm.topRows<3>();
+  return f;
 }
 
 void TreeSystem::solve(double h) {
@@ -169,10 +205,12 @@ double TreeSystem::motorImpulse(int child) const {
 const Mat6& TreeSystem::ownResponse(int body) {
   Factor& f = factors_[at(body)];
   if (!f.responseKnown) {
-    if (body == 0)
+    if (body == 0) {
       f.response = f.inverseInertia;
-    else
+    } else {
+      path(body);
       f.response = f.own + f.up.transpose() * ownResponse(parents_[at(body)]) * f.up;
+    }
     f.responseKnown = true;
   }
   return f.response;
@@ -183,10 +221,10 @@ Mat6 TreeSystem::response(int a, int b) {
   Mat6 fromB = Mat6::Identity(), toA = Mat6::Identity();
   while (a != b) {
     if (a > b) {
-      toA = toA * factors_[at(a)].up.transpose();
+      toA = toA * path(a).up.transpose();
       a = parents_[at(a)];
     } else {
-      fromB = factors_[at(b)].up * fromB;
+      fromB = path(b).up * fromB;
       b = parents_[at(b)];
     }
   }

@@ -43,6 +43,11 @@ public:
 
   /// Prepares everything that does not depend on velocities and forces.
   void factor();
+  /// Nothing but rows from outside acts about a joint's axis from now on; to be followed by refactor().
+  void freeAxis(int child);
+  /// factor() where joints were freed and nothing else has changed: only they and what is above them is
+  /// worked out again.
+  void refactor();
   /// Solves for bodies, joints and forces as they are, step h [s], without impulses from outside.
   void solve(double h);
   /// Adds an impulse from outside to a body (about O), for resolve().
@@ -59,23 +64,28 @@ public:
 private:
   static std::size_t at(int i) { return static_cast<std::size_t>(i); }
   const Mat6& ownResponse(int body);
+  void eliminate();
   void pass();
 
   std::vector<int> parents_;
   std::vector<Body> bodies_;
   std::vector<Joint> joints_;
   struct Factor {
-    Mat6 inverseInertia;  ///< of the body with everything below it
-    Mat6 stiffness;       ///< inverse of the joint's S = inverseInertia + C
-    Mat6 up;              ///< takes a momentum of the body to its parent
-    Mat6 own;             ///< velocity by momentum while the parent is at rest
+    Mat6 inverseInertia;     ///< of the body with everything below it
+    Mat6 stiffness;          ///< inverse of the joint's S = inverseInertia + C
+    Mat6 carried;            ///< what it adds to the parent's inertia
+    bool stale = true;       ///< these three are to be worked out
+    Mat6 up;                 ///< takes a momentum of the body to its parent
+    Mat6 own;                ///< velocity by momentum while the parent is at rest
+    bool pathKnown = false;  ///< up and own; only bodies between the root and what is touched need them
     Mat6 response;
     bool responseKnown = false;
     Vec3 gap;     ///< parent's anchor - child's anchor
     Vec6 wanted;  ///< c, about O
   };
+  const Factor& path(int body);
   std::vector<Factor> factors_;
-  std::vector<Mat6> inertias_;
+  std::vector<Mat6> ownInertias_, inertias_;  ///< of a body; of it and what is below it
   std::vector<Vec6> momenta_, pushes_, carried_, velocities_, impulses_;
 };
 

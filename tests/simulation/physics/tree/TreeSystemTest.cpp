@@ -134,6 +134,28 @@ TEST_F(RandomTree, responseIsTheChangeOfVelocityByAPush) {
     }
 }
 
+/// To the bit: a game must not depend on what was worked out before.
+TEST_F(RandomTree, freeingAxesGivesWhatFactoringAnewGives) {
+  for (const std::vector<int>& freed : {std::vector<int>{2}, {4}, {1, 4}, {}}) {
+    TreeSystem anew = tree;
+    tree.factor();
+    tree.response(4, 2);  // known before
+    for (const int child : freed) {
+      tree.freeAxis(child);
+      anew.joint(child).axisFree = true;
+    }
+    tree.refactor();
+    anew.factor();
+    tree.solve(h);
+    anew.solve(h);
+    for (int a = 0; a < count; ++a) {
+      EXPECT_TRUE(tree.velocity(a) == anew.velocity(a)) << a;
+      for (int b = 0; b < count; ++b)
+        EXPECT_TRUE(tree.response(a, b) == anew.response(a, b)) << a << ' ' << b;
+    }
+  }
+}
+
 TEST_F(RandomTree, aFreeAxisHasNoImpulse) {
   tree.factor();
   tree.solve(h);
