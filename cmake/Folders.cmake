@@ -65,7 +65,7 @@ function(plumbline_check_extra)
   endforeach()
 endfunction()
 
-# Has about `size` neighbouring sources compiled in one go: what they include and instantiate alike costs once then. A
+# Has up to `size` neighbouring sources of a folder compiled in one go: what they include and instantiate alike costs once then. A
 # bundle stays within a folder or a few small ones side by side, so that a new file changes no other folder's bundles.
 function(plumbline_bundle target size sources)
   if(size LESS 2 OR PLUMBLINE_BUNDLE LESS 2 OR NOT sources)
@@ -93,10 +93,7 @@ function(plumbline_bundle target size sources)
   endforeach()
   foreach(room IN LISTS rooms)
     list(LENGTH "of_${room}" count)
-    math(EXPR bundles "(${count} + ${size} / 2) / ${size}")
-    if(bundles LESS 1)
-      set(bundles 1)
-    endif()
+    math(EXPR bundles "(${count} + ${size} - 1) / ${size}")
     cmake_path(GET room FILENAME name)
     set(index 0)
     foreach(path IN LISTS "of_${room}")

@@ -2,8 +2,8 @@
 # Before the compiler of each source. A bundle is a source that includes others.
 # - It may fail because names in them meet: then its halves are compiled, and so on, and their objects joined. So an error in
 #   a source is told as if there were no bundles, and no name has to be unlike another file's.
-# - Where one of its sources alone was edited since it was built, that one and the others are compiled beside each other and
-#   joined. While the same one is edited, nothing else is compiled again.
+# - Where one of its sources alone was edited since it was built, that one and the others, in parts, are compiled at the same
+#   time and joined. While the same one is edited, nothing else is compiled again.
 #   compile_bundle.sh COMPILER OPTION... -MD -MT X -MF DEPENDENCIES -o OBJECT -c SOURCE
 set -euo pipefail
 bundle=${*: -1}
@@ -33,37 +33,50 @@ join() {
   sed 's#\([^ \\]\|\\.\)*\.part\.cxx##' "${@/%.o/.d}" > "$dependencies"
 }
 
-# Whether what the others were compiled from is as it was: the command, the sources and all that they include.
-othersAreCurrent() {
-  [[ -f $edited/others.o ]] && cmp -s "$edited/made.of" <(madeOf "$1") || return 1
+# Whether what a part was compiled from is as it was: its sources and all that they include.
+partIsCurrent() { # $1: its object
   local path
   while read -r path; do
     path=${path//$'\a'/ } # a space within a path
-    [[ $path == "" || $path == *: || $path == *.part.cxx ]] || [[ -f $path && ! $path -nt $edited/others.o ]] || return 1
-  done < <(printf '%s\n' "${precompiled[@]// /$'\a'}"; sed -e 's/\\$//' -e 's/\\ /\a/g' "$edited/others.d" | tr ' ' '\n')
+    [[ $path == "" || $path == *: || $path == *.part.cxx ]] || [[ -f $path && ! $path -nt $1 ]] || return 1
+  done < <(printf '%s\n' "${precompiled[@]// /$'\a'}"; sed -e 's/\\$//' -e 's/\\ /\a/g' "${1%.o}.d" | tr ' ' '\n')
 }
 madeOf() { printf '%s\n' "${command[@]}" "${sources[@]}" "edited: $1"; }
 
-# $1: the source that was edited; returns 1 if the bundle has to be compiled as a whole.
+# $1: the source that was edited; returns 1 if the bundle has to be compiled as a whole. The others are compiled in so many
+# parts: the longest of them takes less time than all of them in one go, and the cores have enough to do.
 compileEdited() {
-  local one=$1 said=""
-  if ! othersAreCurrent "$one"; then
+  local one=$1 said="" others part from=0 count=4 i jobs=() failed=""
+  mapfile -t others < <(printf '%s\n' "${sources[@]}" | grep -vxF "$one")
+  ((count <= ${#others[@]})) || count=${#others[@]}
+  if ! cmp -s "$edited/made.of" <(madeOf "$one"); then
     rm -rf "$edited"
     mkdir "$edited"
-    printf '%s\n' "${sources[@]}" | grep -vxF "$one" | sed 's/.*/#include "&"/' > "$edited/others.part.cxx"
-    (trap - INT; compileTo "$edited/others.o" "$edited/others.part.cxx" > "$edited/log") & # Ctrl-C ends it, too
   fi
+  for ((i = 0; i < count; ++i)); do
+    part=$edited/others$i
+    local next=$((${#others[@]} * (i + 1) / count))
+    if [[ ! -f $part.o ]] || ! partIsCurrent "$part.o"; then
+      rm -f "$part.o"
+      printf '#include "%s"\n' "${others[@]:from:next-from}" > "$part.part.cxx"
+      (trap - INT; compileTo "$part.o" "$part.part.cxx" > "$part.log") & # Ctrl-C ends it, too
+      jobs+=($!)
+    fi
+    from=$next
+  done
   said=$(compileTo "$edited/one.o" "$one") || {
     printf '%s\n' "$said"
     wait
     rm -rf "$edited"
     exit 1
   }
-  wait -n || { (($? == 127)) || return 1; }
-  said+=$(cat "$edited/log" 2> /dev/null)
+  for i in "${jobs[@]}"; do wait "$i" || failed=yes; done
+  [[ ! $failed ]] || return 1
+  said+=$(cat "$edited"/others*.log 2> /dev/null)
+  rm -f "$edited"/others*.log
   [[ ! $said ]] || printf '%s\n' "$said"
   madeOf "$one" > "$edited/made.of"
-  join "$edited/others.o" "$edited/one.o"
+  join "$edited"/others*.o "$edited/one.o"
 }
 
 if [[ -f $object ]] && ((${#sources[@]} > 1)); then

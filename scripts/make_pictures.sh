@@ -1,7 +1,8 @@
 #!/usr/bin/env bash
 # Makes the pictures of doc/img/ and README's sample output anew, by the commands that stand beside them there; `make
 # pictures` builds first what this needs.
-#   scripts/make_pictures.sh [goal] [match] [team] [graph] [floors] [walk] [report] [agent] [fault]   all, if none is named
+#   scripts/make_pictures.sh [goal] [match] [team] [graph] [floors] [walk] [report] [agent] [fault] [situations]
+#     all, if none is named
 # The report takes some minutes. Times in the graph of modules are true on a machine that does nothing else.
 # Example: scripts/make_pictures.sh goal
 set -euo pipefail
@@ -9,7 +10,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 fail() { echo "make_pictures.sh: $*" >&2; exit 2; }
 wanted=("$@")
-((${#wanted[@]})) || wanted=(goal match team graph floors walk report agent fault)
+((${#wanted[@]})) || wanted=(goal match team graph floors walk report agent fault situations)
 work=$(mktemp -d)
 server=""
 trap '[[ $server ]] && kill "$server" 2> /dev/null; rm -rf "$work"' EXIT
@@ -178,9 +179,15 @@ fault() {
   put "$work/rdb.svg" rdb.svg
 }
 
+# Those of tests/data/situations/, and the page that shows them.
+situations() {
+  rm -rf doc/img/situations
+  bin/situations page tests/data/situations --pictures doc/img/situations -o doc/reference/situations.md
+}
+
 for name in "${wanted[@]}"; do
   case $name in
-    goal | match | team | graph | floors | walk | report | agent | fault) "$name" ;;
-    *) fail "no picture '$name'; there is goal, match, team, graph, floors, walk, report, agent, fault" ;;
+    goal | match | team | graph | floors | walk | report | agent | fault | situations) "$name" ;;
+    *) fail "no picture '$name'; there is goal, match, team, graph, floors, walk, report, agent, fault, situations" ;;
   esac
 done

@@ -40,7 +40,7 @@ char note[512];
 std::array<struct sigaction, caughtSignals.size()> previous;
 
 void say(const char* text) {
-  [[maybe_unused]] const auto written = write(STDERR_FILENO, text, std::strlen(text));
+  [[maybe_unused]] const auto written = ::write(STDERR_FILENO, text, std::strlen(text));
 }
 
 /// Waits for the writer, but not for ever: it might hang on a full disk. False: it is still there.
@@ -101,7 +101,7 @@ void handle(int signal, siginfo_t* info, void*) {
   record->callCount = backtrace(record->calls.data(), static_cast<int>(record->calls.size()));
   // The writer first: the reader of standard error may be stuck.
   const char byte = 1;
-  [[maybe_unused]] const auto written = write(pipeToWriter, &byte, 1);
+  [[maybe_unused]] const auto written = ::write(pipeToWriter, &byte, 1);
   say("died by ");
   say(signalName(signal));
   if (const char* step = record->stepOf(CrashRecord::currentThread())) {

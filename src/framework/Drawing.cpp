@@ -1,6 +1,5 @@
 #include "framework/Drawing.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
@@ -69,15 +68,19 @@ void Drawing::ellipse(const Place& centre, const Mat2& covariance, const shapes:
   constexpr int parts = 16;
   constexpr double round = 0.95;  // share of the longer axis from which nobody sees a difference
   if (!covariance.allFinite()) return;
-  const Eigen::SelfAdjointEigenSolver<Mat2> axes(0.5 * (covariance + covariance.transpose()));
-  if (axes.eigenvalues()[1] < 0) return;
+  // The variances along the axes of the ellipse are mean - half and mean + half; the longer axis is at
+  // `turn`.
+  const double mean = covariance.trace() / 2, difference = (covariance(0, 0) - covariance(1, 1)) / 2,
+               common = (covariance(0, 1) + covariance(1, 0)) / 2, half = std::hypot(difference, common);
+  if (mean + half < 0) return;
   // What rounding made a little negative is zero.
-  const Vec2 lengths = deviations * axes.eigenvalues().cwiseMax(0).cwiseSqrt();
-  if (lengths[0] >= round * lengths[1]) return circle(centre, lengths.mean(), colour, thickness);
+  const Vec2 lengths = deviations * Vec2(mean + half, std::max(0.0, mean - half)).cwiseSqrt();
+  if (lengths[1] >= round * lengths[0]) return circle(centre, lengths.mean(), colour, thickness);
+  const Eigen::Rotation2Dd turn(std::atan2(common, difference) / 2);
   const auto at = [&](int i) {
     const double angle = 2 * std::numbers::pi * (i % parts) / parts;
     Vec3 place = centre.at;
-    place.head<2>() += axes.eigenvectors() * lengths.cwiseProduct(Vec2(std::cos(angle), std::sin(angle)));
+    place.head<2>() += turn * lengths.cwiseProduct(Vec2(std::cos(angle), std::sin(angle)));
     return place;
   };
   for (int i = 0; i < parts; ++i) line(at(i), at(i + 1), colour, thickness);

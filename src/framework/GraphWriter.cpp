@@ -1,8 +1,5 @@
 #include "framework/GraphWriter.h"
 
-#include <fcntl.h>
-#include <spawn.h>
-#include <sys/wait.h>
 #include <unistd.h>
 
 #include <array>
@@ -14,8 +11,7 @@
 #include <utility>
 
 #include "framework/ConfigurationError.h"
-
-extern char** environ;
+#include "framework/RunDot.h"
 
 namespace plumbline {
 namespace {
@@ -121,21 +117,17 @@ std::string writeFile(const std::string& path, const std::string& text) {
   return stream ? "" : std::strerror(errno);
 }
 
-/// Runs `dot -Tformat input -o output`; returns what went wrong or an empty string.
-std::string runDot(const std::string& format, const std::string& input, const std::string& output) {
-  std::string type = "-T" + format, program = "dot", option = "-o";
-  std::string in = input, out = output;
-  char* arguments[] = {program.data(), type.data(), in.data(), option.data(), out.data(), nullptr};
-  pid_t child = 0;
-  const int error = posix_spawnp(&child, "dot", nullptr, nullptr, arguments, environ);
-  if (error == ENOENT)
-    return "Graphviz's program dot is not installed; install graphviz or write a .dot file";
-  if (error != 0) return std::string("dot cannot be started: ") + std::strerror(error);
-  int status = 0;
-  while (waitpid(child, &status, 0) < 0 && errno == EINTR) {
-  }
-  return WIFEXITED(status) && WEXITSTATUS(status) == 0 ? "" : "dot failed";
-}
+constexpr double longestDrawing = 60;  // Graphviz takes a second or two [s]
+
+/// A file that is gone at the end.
+class PassingFile {
+public:
+  explicit PassingFile(std::string path) : path(std::move(path)) {}
+  ~PassingFile() { std::remove(path.c_str()); }
+  PassingFile(const PassingFile&) = delete;
+  PassingFile& operator=(const PassingFile&) = delete;
+  const std::string path;
+};
 
 }  // namespace
 
@@ -161,17 +153,14 @@ void writeGraph(const std::vector<ThreadPlan>& threads, const std::string& path,
     throw ConfigurationError(path + ": a graph is written as .dot, .svg, .pdf or .png");
   }
   // Written to another file and moved, so that there is never half a file.
-  const std::string partial = path + ".part" + std::to_string(getpid());
-  const std::string dotFile = partial + ".dot";
-  std::string error = writeFile(dotFile, graphText(threads, times));
+  const PassingFile partial(path + ".part" + std::to_string(getpid())), dotFile(partial.path + ".dot");
+  std::string error = writeFile(dotFile.path, graphText(threads, times));
   if (error.empty() && extension == ".dot") {
-    error = std::rename(dotFile.c_str(), path.c_str()) == 0 ? "" : std::strerror(errno);
+    error = std::rename(dotFile.path.c_str(), path.c_str()) == 0 ? "" : std::strerror(errno);
   } else if (error.empty()) {
-    error = runDot(extension.substr(1), dotFile, partial);
-    if (error.empty() && std::rename(partial.c_str(), path.c_str()) != 0) error = std::strerror(errno);
+    error = runDot(extension.substr(1), dotFile.path, partial.path, longestDrawing);
+    if (error.empty() && std::rename(partial.path.c_str(), path.c_str()) != 0) error = std::strerror(errno);
   }
-  std::remove(dotFile.c_str());
-  std::remove(partial.c_str());
   if (!error.empty()) throw ConfigurationError(path + ": cannot be written: " + error);
 }
 

@@ -17,7 +17,8 @@ using ModuleTimes = std::map<std::string, double>;
 std::string graphText(const std::vector<ThreadPlan>& threads, const ModuleTimes& times = {});
 
 /// Writes the graph to a .dot file or, through Graphviz's program `dot`, to .svg, .pdf or .png. Throws
-/// ConfigurationError if that cannot be done; then no file is left behind.
+/// ConfigurationError if that cannot be done, also if `dot` takes more than a minute, and Stopped after a
+/// signal that is caught; then no file is left behind.
 void writeGraph(const std::vector<ThreadPlan>& threads, const std::string& path,
                 const ModuleTimes& times = {});
 

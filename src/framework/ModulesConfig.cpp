@@ -12,7 +12,7 @@
 namespace plumbline {
 namespace {
 
-constexpr std::size_t maxFileSize = 1 << 20, maxFiles = 100;
+constexpr std::size_t maxListSize = 1 << 20, maxFiles = 100;
 
 bool isName(std::string_view text) {
   for (std::size_t i = 0; i < text.size(); i++) {
@@ -80,7 +80,7 @@ private:
     if (++files_ > maxFiles) fail("include " + path + ": more than 100 files are included");
     std::string text;
     try {
-      text = readFile(path, maxFileSize);
+      text = readFile(path, maxListSize);
     } catch (const std::runtime_error& error) {
       fail("include " + path + ": " + error.what());
     }
@@ -173,7 +173,7 @@ ModulesConfig parseModulesConfig(std::string_view text, const std::string& path)
 ModulesConfig readModulesConfig(const std::string& path) {
   std::string text;
   try {
-    text = readFile(path, maxFileSize);
+    text = readFile(path, maxListSize);
   } catch (const std::runtime_error& error) {
     throw ConfigurationError(path + ": " + error.what());
   }

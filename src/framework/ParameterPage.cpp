@@ -34,6 +34,8 @@ std::string cell(std::string text) {
 /// another one) is one row.
 class Rows {
 public:
+  explicit Rows(GroupNames names) : names_(names) {}
+
   void add(const ParameterList& list, void* owner, const std::string& prefix) {
     for (const ParameterList::Entry& entry : list.entries()) {
       const std::string path = prefix + entry.parameter.name;
@@ -43,7 +45,7 @@ public:
       } else if (isDescribed(*entry.group)) {
         text += "| `" + path + ".` … | | | | | " + cell(entry.parameter.comment) + ": names as above |\n";
       } else {
-        add(*entry.group, entry.groupOf(owner), path + ".");
+        add(*entry.group, entry.groupOf(owner), names_ == GroupNames::path ? path + "." : prefix);
       }
     }
   }
@@ -61,17 +63,18 @@ private:
             parameter.unit + " | " + allowed(parameter) + " | " + cell(parameter.comment) + " |\n";
   }
 
+  GroupNames names_;
   std::set<ParameterList::Pointer> described_;
 };
 
-std::string table(const ParameterList& parameters, void* owner) {
-  Rows rows;
+}  // namespace
+
+std::string parameterTable(const ParameterList& parameters, void* owner, GroupNames names) {
+  Rows rows(names);
   rows.add(parameters, owner, "");
   return "| parameter | type | default | unit | range | what it does |\n|---|---|---|---|---|---|\n" +
          rows.text;
 }
-
-}  // namespace
 
 std::string parameterPage(const Registry& registry, const std::map<std::string, ParameterFile>& files) {
   std::string page =
@@ -87,14 +90,15 @@ std::string parameterPage(const Registry& registry, const std::map<std::string, 
     const ParameterList& parameters = loader->description().parameters;
     if (parameters.empty()) continue;
     // The types are those of the members: a module made only to look at them.
-    page += "\n## " + name + "\n\n" + table(parameters, loader->create().get());
+    page += "\n## " + name + "\n\n" + parameterTable(parameters, loader->create().get());
   }
   if (!files.empty())
     page +=
         "\n# Parameters of other files\n\n"
         "These files of `config/` are no module's. They, too, hold only the values that differ.\n";
   for (const auto& [name, file] : files)
-    page += "\n## " + name + ".yaml\n\n" + file.comment + "\n\n" + table(*file.parameters, file.make().get());
+    page += "\n## " + name + ".yaml\n\n" + file.comment + "\n\n" +
+            parameterTable(*file.parameters, file.make().get());
   return page;
 }
 

@@ -56,7 +56,7 @@ void StopSignal::request(int exitCode, const std::string& reason) {
   }
   requested_.store(true);
   const std::uint64_t one = 1;
-  [[maybe_unused]] const auto written = write(descriptor_, &one, sizeof(one));
+  [[maybe_unused]] const auto written = ::write(descriptor_, &one, sizeof(one));
 }
 
 int StopSignal::exitCode() const {

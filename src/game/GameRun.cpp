@@ -59,6 +59,11 @@ public:
     startAgent();
   }
 
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+  /// After an error as well.
+  ~Session() { askToStop(); }
+
   std::string file(const std::string& name) const { return options_.output + "/" + name; }
 
   /// Throws if a program is no more though nobody has stopped it.
@@ -72,14 +77,15 @@ public:
                                            lastLine(file("simulator.log"))));
   }
 
-  /// The agent first: it would try to reconnect.
+  /// Both together: two that hang take no longer than one.
   void stop() {
+    monitor.close();
+    askToStop();
     if (agent_) {
       agent_->stop();
       if (*agent_->exitStatus() == 128 + SIGKILL)
         fmt::print(stderr, "game: the agent did not end and was killed; its crash log says where it was\n");
     }
-    monitor.close();
     if (simulator_) simulator_->process().stop();
   }
 
@@ -93,6 +99,12 @@ public:
   simspark::MonitorClient monitor;
 
 private:
+  /// The agent first: it would try to reconnect.
+  void askToStop() {
+    if (agent_) agent_->askToStop();
+    if (simulator_) simulator_->process().askToStop();
+  }
+
   std::string host() const { return options_.host.empty() ? "127.0.0.1" : options_.host; }
 
   void startSimulator(const StopSignal& stop) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <iterator>
 
+#include "field/FieldSvg.h"
+
 namespace plumbline::game {
 
 namespace {
@@ -12,20 +14,13 @@ namespace {
 constexpr double scale = 30;    // pixels per metre
 constexpr double margin = 1.2;  // metres around the field
 
-/// Places on the field as places in the picture, in pixels.
-struct Paper {
-  FieldSize field;
-  double x(double metres) const { return scale * (metres + field.length / 2 + margin); }
-  double y(double metres) const { return scale * (field.width / 2 + margin - metres); }
-};
-
 constexpr double jump = 0.6;        // further between two points nobody goes: it was put there [m]
 constexpr double kickSpeed = 1;     // what a kick adds at least [m/s]
 constexpr double kickDistance = 1;  // of the robot from the ball it kicked, at most [m]
 constexpr double markEvery = 5;     // [s]
 
 /// The parts of a way without the jumps between them.
-std::string ways(const Paper& paper, const std::vector<TrackPoint>& track, Vec2 TrackPoint::*member,
+std::string ways(const FieldSvg& paper, const std::vector<TrackPoint>& track, Vec2 TrackPoint::*member,
                  double longest, const char* style) {
   std::string svg, points;
   const auto finish = [&] {
@@ -41,15 +36,6 @@ std::string ways(const Paper& paper, const std::vector<TrackPoint>& track, Vec2 
   }
   finish();
   return svg;
-}
-
-std::string rectangle(const Paper& paper, double x0, double y0, double x1, double y1, const char* style) {
-  return fmt::format("<rect x=\"{:.1f}\" y=\"{:.1f}\" width=\"{:.1f}\" height=\"{:.1f}\" {}/>\n", paper.x(x0),
-                     paper.y(y1), scale * (x1 - x0), scale * (y1 - y0), style);
-}
-
-std::string text(double x, double y, const std::string& words, const char* style) {
-  return fmt::format("<text x=\"{:.1f}\" y=\"{:.1f}\" {}>{}</text>\n", x, y, style, words);
 }
 
 std::string kickMark(double x, double y) {
@@ -71,40 +57,21 @@ constexpr const char* robotStyle =
 constexpr const char* ballStyle =
     "fill=\"none\" stroke=\"#ff8c1a\" stroke-width=\"2\" stroke-linejoin=\"round\" stroke-dasharray=\"7 3\"";
 
-std::string fieldLines(const Paper& paper) {
-  const char* line = "fill=\"none\" stroke=\"white\" stroke-width=\"2\"";
-  const FieldSize& f = paper.field;
-  const double goal = f.length / 2, side = f.width / 2, front = goal - f.penaltyDepth,
-               area = f.penaltyWidth / 2;
-  const double back = goal + f.goalDepth, post = f.goalWidth / 2;
-  std::string svg = rectangle(paper, -goal, -side, goal, side, line);
-  svg +=
-      rectangle(paper, -goal, -area, -front, area, line) + rectangle(paper, front, -area, goal, area, line);
-  svg +=
-      rectangle(paper, -back, -post, -goal, post, "fill=\"#f2d94e\" fill-opacity=\"0.5\" stroke=\"#f2d94e\"");
-  svg +=
-      rectangle(paper, goal, -post, back, post, "fill=\"#8ec5ff\" fill-opacity=\"0.5\" stroke=\"#8ec5ff\"");
-  svg += fmt::format("<line x1=\"{0:.1f}\" y1=\"{1:.1f}\" x2=\"{0:.1f}\" y2=\"{2:.1f}\" {3}/>\n", paper.x(0),
-                     paper.y(-side), paper.y(side), line);
-  return svg + fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"{:.0f}\" {}/>\n", paper.x(0), paper.y(0),
-                           f.centreCircleRadius * scale, line);
-}
-
 /// Falls, and every five seconds where robot and ball were.
-std::string marks(const Paper& paper, const std::vector<TrackPoint>& track) {
+std::string marks(const FieldSvg& paper, const std::vector<TrackPoint>& track) {
   std::string svg;
   bool fallen = false;
   double next = 0;
   for (const TrackPoint& point : track) {
     if (point.fallen && !fallen)
-      svg += text(paper.x(point.robot.x()) + 6, paper.y(point.robot.y()) - 6, "fall",
-                  "fill=\"#c00\" font-weight=\"bold\"");
+      svg += svgText(paper.x(point.robot.x()) + 6, paper.y(point.robot.y()) - 6, "fall",
+                     "fill=\"#c00\" font-weight=\"bold\"");
     fallen = point.fallen;
     if (point.time < next) continue;
     svg += dot(paper.x(point.ball.x()), paper.y(point.ball.y()), 3, ballColour);
     svg += dot(paper.x(point.robot.x()), paper.y(point.robot.y()), 4, robotColour);
-    svg += text(paper.x(point.robot.x()) + 5, paper.y(point.robot.y()) + 18,
-                fmt::format("{:.0f} s", point.time), "fill=\"white\"");
+    svg += svgText(paper.x(point.robot.x()) + 5, paper.y(point.robot.y()) + 18,
+                   fmt::format("{:.0f} s", point.time), "fill=\"white\"");
     next += markEvery;
   }
   return svg;
@@ -115,8 +82,8 @@ std::string legend(double y) {
     return fmt::format("<line x1=\"{0:.0f}\" y1=\"{2:.0f}\" x2=\"{1:.0f}\" y2=\"{2:.0f}\" {3}/>\n", x, x + 34,
                        y - 5, style);
   };
-  return line(12, robotStyle) + text(54, y, "robot, a dot every 5 s", "") + line(230, ballStyle) +
-         text(272, y, "ball", "") + kickMark(334, y - 6) + text(350, y, "kick", "");
+  return line(12, robotStyle) + svgText(54, y, "robot, a dot every 5 s", "") + line(230, ballStyle) +
+         svgText(272, y, "ball", "") + kickMark(334, y - 6) + svgText(350, y, "kick", "");
 }
 
 }  // namespace
@@ -140,15 +107,8 @@ std::vector<TrackPoint> kicksOf(const std::vector<TrackPoint>& track) {
 
 std::string trackPicture(const std::vector<TrackPoint>& track, const std::string& title,
                          const FieldSize& field) {
-  const Paper paper{field};
-  const double width = scale * (field.length + 2 * margin), height = scale * (field.width + 2 * margin);
-  std::string svg = fmt::format(
-      "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0:.0f}\" height=\"{1:.0f}\" viewBox=\"0 0 {0:.0f} "
-      "{1:.0f}\" "
-      "font-family=\"sans-serif\" font-size=\"15\">\n",
-      width, height + 56);
-  svg += fmt::format("<rect width=\"{:.0f}\" height=\"{:.0f}\" fill=\"#3a7d44\"/>\n", width, height);
-  svg += fieldLines(paper);
+  const FieldSvg paper(field, margin, scale);
+  std::string svg = paper.head(56) + paper.grass() + paper.lines();
   svg += ways(paper, track, &TrackPoint::robot, jump, robotStyle) +
          ways(paper, track, &TrackPoint::ball, 3 * jump, ballStyle);
   svg += marks(paper, track);
@@ -157,7 +117,8 @@ std::string trackPicture(const std::vector<TrackPoint>& track, const std::string
   if (!track.empty())
     svg += fmt::format("<circle cx=\"{:.1f}\" cy=\"{:.1f}\" r=\"6\" fill=\"#ff8c1a\" stroke=\"black\"/>\n",
                        paper.x(track.back().ball.x()), paper.y(track.back().ball.y()));
-  svg += text(10, height + 23, title, "font-weight=\"bold\"") + legend(height + 46) + "</svg>\n";
+  svg += svgText(10, paper.height() + 23, title, "font-weight=\"bold\"") + legend(paper.height() + 46) +
+         "</svg>\n";
   return svg;
 }
 

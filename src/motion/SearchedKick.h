@@ -2,6 +2,7 @@
 #include <vector>
 
 #include "motion/MotionParameters.h"
+#include "parameters/Parameter.h"
 
 namespace plumbline::motion {
 
@@ -39,10 +40,14 @@ struct KickTry {
 
 /// Goal of a search for a kick.
 struct KickWish {
-  double distance = 0;   ///< [m]; 0: as far as it goes
-  double weight = 0.08;  ///< of a millisecond
-  double steady = 1;     ///< of the error
-  double ceiling = 0;    ///< that the ball is to stay below where a goal may stand [m]; 0: none
+  PARAMETERS(KickWish)
+  PARAMETER(double, distance, 0, "m", Range(0, 30),
+            "how far the ball is to go in the wanted direction; 0: as far as it goes")
+  PARAMETER(double, weight, 0.08, "1/ms", Range(0, 100), "worth of a millisecond of the motion")
+  PARAMETER(double, steady, 1, "1/rad", Range(0, 100), "worth of a radian of lean in a cycle of the walk")
+  PARAMETER(double, ceiling, 0, "m", Range(0, 5),
+            "what the ball's top is to stay below between 3 and 8 m, for shots (a goal's bar is at 0.8 m); "
+            "0: no such bound")
 
   /// Formula 3.2 of Seekircher 2015 with the opposite sign and the ball's path split in two:
   ///   -30 (along - aside) - 120 min(1, height) + steady error + weight milliseconds.

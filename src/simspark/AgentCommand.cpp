@@ -4,6 +4,7 @@
 
 #include "simspark/JointNames.h"
 #include "simspark/NumberFormat.h"
+#include "simspark/WordNumbers.h"
 
 namespace plumbline::simspark {
 
@@ -23,10 +24,6 @@ bool numbers(SExpressions::Node list, std::array<double, n>& values) {
     value = *number;
   }
   return true;
-}
-
-std::optional<int> integer(SExpressions::Node node) {
-  return node && !node.isList() ? parseInteger(node.text()) : std::nullopt;
 }
 
 bool readOne(SExpressions::Node list, AgentCommand& command) {
@@ -54,14 +51,14 @@ bool readOne(SExpressions::Node list, AgentCommand& command) {
   if (name == "scene") {
     const auto file = list.at(1);
     if (!file || file.isList()) return false;
-    const auto type = file.next() ? integer(file.next()) : 0;
+    const auto type = file.next() ? integerOf(file.next()) : 0;
     if (!type) return false;
     command.scene = SceneRequest{std::string(file.text()), *type};
     return true;
   }
   if (name == "init") {
     const auto team = list.list("teamname").at(1);
-    const auto unum = integer(list.list("unum").at(1));
+    const auto unum = integerOf(list.list("unum").at(1));
     if (!team || team.isList() || !unum) return false;
     command.init = InitRequest{*unum, std::string(team.text())};
     return true;

@@ -149,10 +149,15 @@ void ChildProcess::signalGroup(int signal) {
 
 void ChildProcess::sendSignal(int signal) { kill(wholeGroup_ ? -pid_ : pid_, signal); }
 
-void ChildProcess::stop(double patienceSeconds) {
-  if (!running()) return;
+void ChildProcess::askToStop(double patienceSeconds) {
+  if (patience_ || !running()) return;
   sendSignal(SIGTERM);
-  for (Patience patience(pid_, patienceSeconds); !patience.isOver() && running();) usleep(5000);
+  patience_.emplace(pid_, patienceSeconds);
+}
+
+void ChildProcess::stop(double patienceSeconds) {
+  askToStop(patienceSeconds);
+  while (running() && !patience_->isOver()) usleep(5000);
   if (!running()) return;
   sendSignal(SIGKILL);
   reap(0);

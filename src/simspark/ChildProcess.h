@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simspark/GroupGuard.h"
+#include "simspark/Patience.h"
 
 namespace plumbline::simspark {
 
@@ -46,8 +47,11 @@ public:
   std::optional<int> exitStatus() const { return exitStatus_; }
   /// To it and to all of its group; nothing once it has ended.
   void signalGroup(int signal);
-  /// SIGTERM, then SIGKILL after `patienceSeconds` (see Patience); to its group if that is its whole. Returns
-  /// when it has ended.
+  /// SIGTERM; from now on it has `patienceSeconds` (see Patience) until stop() kills it. Of several children
+  /// all are asked before stop() waits for the first: then their times pass together.
+  void askToStop(double patienceSeconds = 0.7);
+  /// Asks it unless that was done, then SIGKILL once its patience is over; to its group if that is its whole.
+  /// Returns when it has ended.
   void stop(double patienceSeconds = 0.7);
   /// Of a process that has ended.
   ProcessUsage usage() const { return usage_; }
@@ -59,6 +63,7 @@ private:
   pid_t pid_ = -1;
   bool wholeGroup_;
   std::unique_ptr<GroupGuard> guard_;
+  std::optional<Patience> patience_;  ///< from the time at which it was asked to stop
   std::optional<int> exitStatus_;
   ProcessUsage usage_;
 };

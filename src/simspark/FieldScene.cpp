@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <charconv>
 
+#include "simspark/MeshNames.h"
+
 namespace plumbline::simspark {
 
 using Eigen::Matrix4d;
@@ -10,7 +12,6 @@ using Eigen::Matrix4d;
 namespace {
 
 constexpr std::string_view nodeBegin = "(nd", transformBegin = "(SLT ";
-constexpr std::string_view bodyMesh = "models/naobody", ballMesh = "models/soccerball.obj";
 
 /// Just behind the first list of a text; npos if it is not closed.
 std::size_t endOfList(std::string_view text) {

@@ -14,6 +14,9 @@ const std::vector<RobotModel>& simsparkRobots();
 /// How many there are.
 int numSimsparkTypes();
 
+/// No more than so many are looked for.
+inline constexpr int mostSimsparkTypes = 10;
+
 /// One of them. Throws ConfigurationError for another number; the text says which there are.
 const RobotModel& simsparkRobot(int type);
 

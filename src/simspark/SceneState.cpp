@@ -5,7 +5,9 @@
 
 #include "simspark/FieldWords.h"
 #include "simspark/LeagueRobots.h"
+#include "simspark/MeshNames.h"
 #include "simspark/NumberFormat.h"
+#include "simspark/WordNumbers.h"
 
 namespace plumbline::simspark {
 
@@ -15,9 +17,6 @@ using Eigen::Matrix4d;
 namespace {
 
 constexpr Range fieldSizeRange(0.001, 1000);  ///< of any size of a field [m]
-constexpr std::string_view bodyMesh = "models/naobody", ballMesh = "models/soccerball.obj";
-
-std::string_view wordOf(Word node) { return node && !node.isList() ? node.text() : std::string_view(); }
 
 /// Type, number and side from "models/naobody3.obj" and "matNum7 matLeft ...".
 SceneRobot robotFrom(const std::string& mesh, const std::vector<std::string>& materials) {

@@ -6,6 +6,7 @@
 
 #include "math/Angle.h"
 #include "simspark/NumberFormat.h"
+#include "simspark/WordNumbers.h"
 
 namespace plumbline::simspark {
 
@@ -17,19 +18,11 @@ constexpr int trainerDecimals = 6;
 // ---- reading
 // -----------------------------------------------------------------------------------------------
 
-std::optional<double> number(Node node) {
-  return node && !node.isList() ? parseNumber(node.text()) : std::nullopt;
-}
-std::optional<int> integer(Node node) {
-  return node && !node.isList() ? parseInteger(node.text()) : std::nullopt;
-}
-std::string_view word(Node node) { return node && !node.isList() ? node.text() : std::string_view(); }
-
 /// The numbers behind the list's name; false if one is missing or beyond +-most.
 template <std::size_t n>
 bool numbers(Node list, std::array<double, n>& values, double most) {
   for (std::size_t i = 0; i < n; ++i) {
-    const auto value = number(list.at(static_cast<int>(i) + 1));
+    const auto value = numberOf(list.at(static_cast<int>(i) + 1));
     if (!value || std::abs(*value) > most) return false;
     values[i] = *value;
   }
@@ -44,8 +37,8 @@ std::optional<TeamSide> sideByName(std::string_view name) {
 }
 
 std::optional<PlayerName> player(Node list) {
-  const auto unum = integer(list.list("unum").at(1));
-  const auto side = sideByName(word(list.list("team").at(1)));
+  const auto unum = integerOf(list.list("unum").at(1));
+  const auto side = sideByName(wordOf(list.list("team").at(1)));
   if (!unum || !side) return std::nullopt;
   return PlayerName{*unum, *side};
 }
@@ -88,7 +81,7 @@ std::optional<TrainerCommand> readBall(Node list) {
 }
 
 std::optional<TrainerCommand> readScore(Node list) {
-  const auto left = integer(list.list("left").at(1)), right = integer(list.list("right").at(1));
+  const auto left = integerOf(list.list("left").at(1)), right = integerOf(list.list("right").at(1));
   if (!left || !right || *left < 0 || *right < 0 || *left > maxScore || *right > maxScore)
     return std::nullopt;
   return ScoreCommand{*left, *right};
@@ -101,12 +94,12 @@ std::optional<TrainerCommand> readClockCommand(Node list, std::string_view name)
   if (name == "resume") return ClockCommand{Kind::resume};
   if (name == "step" && !list.at(1)) return ClockCommand{Kind::step};
   if (name == "step") {
-    const auto steps = integer(list.at(1));
+    const auto steps = integerOf(list.at(1));
     if (steps && *steps > 0 && *steps <= maxSteps)
       return ClockCommand{Kind::step, static_cast<double>(*steps)};
   }
   if (name == "speed") {
-    const auto speed = number(list.at(1));
+    const auto speed = numberOf(list.at(1));
     if (speed && (*speed == 0 || (*speed >= minSpeed && *speed <= maxSpeed)))
       return ClockCommand{Kind::speed, *speed};
   }
@@ -118,7 +111,7 @@ constexpr double maxSeed = 0x1p53;
 
 std::optional<TrainerCommand> readReset(Node list) {
   if (!list.at(1)) return ResetCommand{};
-  const auto seed = number(list.at(1));
+  const auto seed = numberOf(list.at(1));
   if (!seed || *seed < 0 || *seed > maxSeed || *seed != std::floor(*seed)) return std::nullopt;
   return ResetCommand{static_cast<std::uint64_t>(*seed)};
 }
@@ -136,26 +129,26 @@ std::optional<TrainerCommand> readOne(Node list) {
   if (name == "kill") return KillCommand{player(list)};
   if (name == "repos") return RepositionCommand{player(list)};
   if (name == "select") {
-    return SelectCommand{player(list), integer(list.list("unum").at(1)) == -1};
+    return SelectCommand{player(list), integerOf(list.list("unum").at(1)) == -1};
   }
   if (name == "playMode") {
-    const auto mode = playModeByName(word(list.at(1)));
+    const auto mode = playModeByName(wordOf(list.at(1)));
     return mode ? std::optional<TrainerCommand>(PlayModeCommand{*mode}) : std::nullopt;
   }
   if (name == "kickOff") {
-    const auto side = sideByName(word(list.at(1)));
+    const auto side = sideByName(wordOf(list.at(1)));
     return side ? std::optional<TrainerCommand>(KickOffCommand{*side}) : std::nullopt;
   }
   if (name == "reset") return readReset(list);
   if (name == "viewer") {
-    const auto interval = number(list.at(1));
+    const auto interval = numberOf(list.at(1));
     return interval && *interval >= 0.001 && *interval <= 60
                ? std::optional<TrainerCommand>(ViewerCommand{*interval})
                : std::nullopt;
   }
   if (auto command = readClockCommand(list, name)) return command;
   if (name == "time") {
-    const auto time = number(list.at(1));
+    const auto time = numberOf(list.at(1));
     return time && *time >= 0 && *time <= maxGameTime ? std::optional<TrainerCommand>(TimeCommand{*time})
                                                       : std::nullopt;
   }
@@ -259,8 +252,8 @@ std::optional<SimulatorClock> readClock(std::string_view message) {
   SExpressions expressions({.depth = 4, .nodes = 64});
   expressions.parse(message);
   const Node list = expressions.first();
-  const auto paused = integer(list.list("paused").at(1));
-  const auto speed = number(list.list("speed").at(1));
+  const auto paused = integerOf(list.list("paused").at(1));
+  const auto speed = numberOf(list.list("speed").at(1));
   if (!paused || !speed || *speed < 0) return std::nullopt;
   return SimulatorClock{*paused != 0, *speed};
 }

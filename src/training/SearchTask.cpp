@@ -3,8 +3,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <charconv>
-#include <cmath>
 #include <cstdio>
 #include <cstdlib>
 
@@ -20,34 +18,6 @@ std::vector<TaskKind>& registered() {
 }
 
 }  // namespace
-
-double TaskOptions::number(const std::string& key, double fallback, double lowest, double highest) const {
-  const auto found = values_.find(key);
-  if (found == values_.end()) return fallback;
-  const std::string& text = found->second;
-  double value = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc() || end != text.data() + text.size() || !(value >= lowest && value <= highest))
-    throw ConfigurationError(
-        fmt::format("option {}: \"{}\" is no number from {:g} to {:g}", key, text, lowest, highest));
-  return value;
-}
-
-std::string TaskOptions::word(const std::string& key, const std::string& fallback,
-                              const std::vector<std::string>& words) const {
-  const auto found = values_.find(key);
-  const std::string& text = found == values_.end() ? fallback : found->second;
-  if (!words.empty() && std::ranges::count(words, text) == 0)
-    throw ConfigurationError(
-        fmt::format("option {}: \"{}\" is not one of {}", key, text, fmt::join(words, ", ")));
-  return text;
-}
-
-void TaskOptions::check(const std::vector<std::string>& known) const {
-  for (const auto& [key, value] : values_)
-    if (std::ranges::count(known, key) == 0)
-      throw ConfigurationError("unknown option \"" + key + '"' + suggestion(key, known));
-}
 
 std::string SearchTask::file(const Eigen::VectorXd&, const std::string&,
                              const std::map<std::string, double>&) const {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "motion/MotionParameters.h"
+#include "training/TaskOptions.h"
 
 namespace plumbline::training {
 
@@ -21,24 +22,6 @@ constexpr const char* deviationSuffix = ".deviation";
 struct TaskOutcome {
   double cost = 0;
   std::vector<std::pair<std::string, double>> figures{};
-};
-
-/// Options of a task as a configuration or a server tells them.
-class TaskOptions {
-public:
-  TaskOptions() = default;
-  explicit TaskOptions(std::map<std::string, std::string> values) : values_(std::move(values)) {}
-  const std::map<std::string, std::string>& values() const { return values_; }
-
-  /// Throws ConfigurationError "option KEY: ..." for another text.
-  double number(const std::string& key, double fallback, double lowest, double highest) const;
-  std::string word(const std::string& key, const std::string& fallback,
-                   const std::vector<std::string>& words = {}) const;
-  /// Throws ConfigurationError naming the nearest one for an unknown option.
-  void check(const std::vector<std::string>& known) const;
-
-private:
-  std::map<std::string, std::string> values_;
 };
 
 /// Something that a search improves: parameters in, cost of a run out. A run depends only on parameters and
@@ -65,7 +48,9 @@ protected:
 /// A task that can be chosen by name; its own file makes it known by MAKE_TASK.
 struct TaskKind {
   const char* name;
-  const char* what;  ///< one line for lists
+  const char* what;                        ///< one line for lists
+  const ParameterList* options;            ///< of the struct that the task reads them into
+  std::shared_ptr<void> (*makeOptions)();  ///< an owner with the defaults
   std::unique_ptr<SearchTask> (*make)(const TaskOptions& options);
 };
 
@@ -75,9 +60,21 @@ public:
   explicit TaskLoader(const TaskKind& kind);
 };
 
-/// MAKE_TASK(standUp, {"standUp", "...", makeStandUp}): in the task's .cpp.
-#define MAKE_TASK(id, ...) \
-  static const ::plumbline::training::TaskLoader id##TaskLoader(::plumbline::training::TaskKind __VA_ARGS__)
+template <typename Task>
+TaskKind taskKind(const char* name, const char* what) {
+  using Options = typename Task::Options;
+  return {name, what, &Options::parameterList(),
+          []() -> std::shared_ptr<void> { return std::make_shared<Options>(); },
+          [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
+            return std::make_unique<Task>(options.as<Options>());
+          }};
+}
+
+/// MAKE_TASK(StandUpTask, "standUp", "standing up from front, back or side"): in the task's .cpp. The class
+/// has a type Options with PARAMETERS, and a constructor that takes it.
+#define MAKE_TASK(Task, name, what)                            \
+  static const ::plumbline::training::TaskLoader Task##Loader( \
+      ::plumbline::training::taskKind<Task>(name, what));
 
 /// The tasks linked into the program, by name.
 const std::vector<TaskKind>& searchTasks();

@@ -18,8 +18,8 @@ using namespace simspark;
 
 namespace {
 
-constexpr double viewInterval = 0.03;  ///< between two frames: 25 a second at the league's 0.04 [s]
-constexpr double patience = 0.02;      ///< longest time a command waits [s]
+constexpr double viewInterval = 0.03;     ///< between two frames: 25 a second at the league's 0.04 [s]
+constexpr double commandPatience = 0.02;  ///< longest time a command waits [s]
 constexpr double connectTimeout = 1, reconnectPause = 0.5;
 constexpr std::size_t maxCommands = 1000;
 
@@ -133,10 +133,10 @@ void LiveFeed::attach() {
 }
 
 void LiveFeed::follow() {
-  auto result = monitor_.receive(patience);
+  auto result = monitor_.receive(commandPatience);
   // A server that is faster than the eye: only the last of what has come is shown.
   for (int i = 0; i < 100 && result == Connection::Status::message && now() < lastFrame_ + viewInterval; ++i)
-    result = monitor_.receive(patience);
+    result = monitor_.receive(commandPatience);
   sendCommands();
   if (result == Connection::Status::closed) {
     status_.connected = false;

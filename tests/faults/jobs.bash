@@ -57,13 +57,14 @@ pendulumRun() {
   "$bin/gap" record --robot xl330_pendulum --program program.yaml --effects effects.yaml -o run > /dev/null
 }
 
+# Both methods have a memory of what they have searched, from which they go on.
 job gap_diagnose gap
 gap_diagnose_prepare() { pendulumRun; echo old > answer.json; }
 gap_diagnose_run() { "$bin/gap" diagnose run --jobs 1 --max-causes 1 --quiet --json answer.json --timing took.json; }
 gap_diagnose_outputs() { echo 'answer.json took.json?'; }
 gap_diagnose_resumes() { echo answer.json; }
+gap_diagnose_keeps() { echo "./answer.json.searches"; }
 
-# With a memory of its searches, from which it goes on.
 job gap_diagnose_blocks gap
 gap_diagnose_blocks_prepare() { gap_diagnose_prepare; }
 gap_diagnose_blocks_run() { "$bin/gap" diagnose run --jobs 1 --method blocks --max-causes 1 --quiet --json answer.json; }

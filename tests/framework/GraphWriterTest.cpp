@@ -4,13 +4,17 @@
 
 #include <unistd.h>
 
+#include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <sstream>
+#include <thread>
 
 #include "framework/ConfigurationError.h"
+#include "framework/StopSignal.h"
 #include "framework/TestModules.h"
+#include "support/OtherDot.h"
 
 namespace plumbline {
 namespace {
@@ -114,6 +118,19 @@ TEST_F(GraphWriterTest, drawsPicturesThroughGraphviz) {
   writeGraph(twoThreads(), folder + "/graph.png");
   EXPECT_EQ(contents(folder + "/graph.png").substr(1, 3), "PNG");
   EXPECT_EQ(files(), 2u);
+}
+
+TEST_F(GraphWriterTest, aSignalThatEndsTheDrawingLeavesNothing) {
+  const test::OtherDot dot(folder + "-bin", "exec sleep 1000");
+  StopSignal stop;
+  stop.catchSignals();
+  std::thread person([&] {
+    dot.waitUntilItRuns();
+    kill(getpid(), SIGINT);
+  });
+  EXPECT_THROW(writeGraph(twoThreads(), folder + "/graph.svg"), Stopped);
+  person.join();
+  EXPECT_EQ(files(), 0u);
 }
 
 TEST_F(GraphWriterTest, saysWhatCannotBeWrittenAndLeavesNothing) {

@@ -1,9 +1,11 @@
-// What a coach edits: the rules, the formation and set pieces.
+// What a coach edits: the rules, the formation, set pieces and situations.
 #include "framework/ConfigFile.h"
 #include "fuzz/Readers.h"
 #include "modules/behavior/formation/FormationTable.h"
 #include "modules/behavior/setpiece/SetPieces.h"
 #include "simulation/referee/RulesFile.h"
+#include "situation/SituationFile.h"
+#include "situation/SituationPicture.h"
 
 namespace plumbline::fuzz {
 namespace {
@@ -38,6 +40,21 @@ void setPieceFile(std::string_view bytes) {
   });
 }
 
+/// What is read is drawn, and written so that it reads back.
+void situationFile(std::string_view bytes) {
+  const std::string path = scratchFile("situation.yaml", bytes);
+  refusesInOneLine([&] {
+    const Situation situation = readSituation(path);
+    const std::string picture = situationPicture(situation, "situation", FieldSize());
+    require(picture.find("nan") == std::string::npos || situation.about.find("nan") != std::string::npos,
+            "drawn nowhere");
+    require(picture.size() < 60000, "a picture without an end");
+    const std::string text = situationText(situation);
+    require(situationText(readSituation(scratchFile("written.yaml", text))) == text,
+            "written, it reads otherwise");
+  });
+}
+
 std::vector<std::string> rulesFileSeeds() {
   return {contentOf("doc/reference/rules.yaml"), "halfTime: 300\n"};
 }
@@ -48,9 +65,18 @@ std::vector<std::string> setPieceFileSeeds() {
           contentOf("config/set_pieces/restartOpponent.yaml")};
 }
 
+std::vector<std::string> situationFileSeeds() {
+  std::vector<std::string> seeds;
+  for (const char* decider : deciderNames)
+    for (std::string& text : contentsOf(std::string("tests/data/situations/") + decider, ".yaml"))
+      seeds.push_back(std::move(text));
+  return seeds;
+}
+
 const Registered rulesFileTarget({"rulesFile", rulesFile, rulesFileSeeds, 1200});
 const Registered formationFileTarget({"formationFile", formationFile, formationFileSeeds, 800});
 const Registered setPieceFileTarget({"setPieceFile", setPieceFile, setPieceFileSeeds, 800});
+const Registered situationFileTarget({"situationFile", situationFile, situationFileSeeds, 600});
 
 }  // namespace
 }  // namespace plumbline::fuzz

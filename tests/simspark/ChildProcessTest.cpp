@@ -5,10 +5,12 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <list>
 #include <sstream>
 
 #include "support/Processes.h"
@@ -40,7 +42,7 @@ pid_t numberIn(const std::string& file) {
 }
 
 void waitForEnd(ChildProcess& child) {
-  for (int i = 0; i < 1000 && child.running(); ++i) usleep(5000);
+  for (int i = 0; i < 12000 && child.running(); ++i) usleep(5000);
 }
 
 TEST(ChildProcess, reportsTheExitStatusAndWritesItsOutputToTheFile) {
@@ -90,6 +92,23 @@ TEST(ChildProcess, stopKillsWhatDoesNotListen) {
   usleep(100000);  // until the trap is set
   child.stop(0.2);
   EXPECT_EQ(*child.exitStatus(), 128 + SIGKILL);
+}
+
+TEST(ChildProcess, whatIsAskedTogetherHasItsTimeTogether) {
+  std::list<ChildProcess> children;
+  for (int i = 0; i < 4; ++i) {
+    children.emplace_back(std::vector<std::string>{"/bin/sleep", "100"});
+    kill(children.back().pid(), SIGSTOP);
+    int status = 0;
+    ASSERT_EQ(waitpid(children.back().pid(), &status, WUNTRACED), children.back().pid());
+  }
+  const auto begin = std::chrono::steady_clock::now();
+  for (ChildProcess& child : children) child.askToStop(1);
+  for (ChildProcess& child : children) child.stop(1);
+  const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  EXPECT_GE(took, 1);
+  EXPECT_LT(took, 3) << "one after another they take four seconds";
+  for (ChildProcess& child : children) EXPECT_EQ(*child.exitStatus(), 128 + SIGKILL);
 }
 
 TEST(ChildProcess, countsTheProcessorTimeOfTheChild) {

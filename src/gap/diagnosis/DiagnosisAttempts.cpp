@@ -22,11 +22,7 @@ struct DiagnosisAttempts::Attempt {
           const Messages& messages)
       : evidence(std::move(given)),
         fine(robot, evidence, fineSteps(evidence, options.jobs)),
-        memory(
-            file, file.empty() ? "" : markOf(fine, options), robot, [&messages](const std::string& problem) {
-              if (messages.problem)
-                messages.problem(problem + "; a diagnosis that is stopped from now on repeats what follows");
-            }) {}
+        memory(file, file.empty() ? "" : markOf(fine, options), robot, messages.problem) {}
 
   const Evidence evidence;
   Evaluator fine;

@@ -17,7 +17,7 @@ public:
   /// Messages to the user; an empty function is not called.
   struct Messages {
     Message resumed;  ///< searches of a run that was stopped are used
-    Message problem;  ///< searches cannot be stored
+    Message problem;  ///< stored searches cannot be used, or none can be stored
   };
 
   /// options.memory is not used: each attempt has its own memory, because searches depend on the noise.

@@ -1,112 +1,15 @@
 #include "gap/diagnosis/EvidenceMark.h"
 
-#include <array>
-#include <bit>
-#include <cstdint>
-#include <cstdio>
-#include <fstream>
-#include <stdexcept>
-#include <type_traits>
+#include "gap/diagnosis/MarkDump.h"
 
 namespace plumbline::gap {
 
 namespace {
 
-/// FNV-1a over a canonical dump: numbers by their bits, lists and texts after their length. A structure is
-/// taken apart by a structured binding, which names all of its members or does not compile.
-class Dump {
+class EvidenceDump : public MarkDump {
 public:
-  void bytes(const char* data, std::size_t size) {
-    for (std::size_t i = 0; i < size; ++i)
-      hash = (hash ^ static_cast<unsigned char>(data[i])) * 0x100000001b3;
-  }
+  using MarkDump::add;
 
-  template <class... Values>
-  void all(const Values&... values) {
-    (add(values), ...);
-  }
-
-  template <class Value>
-  requires std::is_arithmetic_v<Value> || std::is_enum_v<Value>
-  void add(Value value) {
-    const auto raw = std::bit_cast<std::array<char, sizeof value>>(value);
-    bytes(raw.data(), raw.size());
-  }
-  void add(const std::string& text) {
-    add(text.size());
-    bytes(text.data(), text.size());
-  }
-  template <class Value>
-  void add(const std::vector<Value>& values) {
-    add(values.size());
-    for (const Value& value : values) add(value);
-  }
-  template <class Scalar, int Rows, int Columns>
-  void add(const Eigen::Matrix<Scalar, Rows, Columns>& matrix) {
-    for (const Scalar value : matrix.reshaped()) add(value);
-  }
-  void add(const Pose3& pose) { add(Eigen::Matrix4d(pose.matrix())); }
-
-  void add(const Servo& servo) {
-    const auto& [model, kp, kd, armature, kt, R, vin, errorGain, kpFirmware, maxPwm] = servo;
-    all(model, kp, kd, armature, kt, R, vin, errorGain, kpFirmware, maxPwm);
-  }
-  void add(const Mechanism::Link& link) {
-    const auto& [name, parent, mass, com, inertia, shape, collides] = link;
-    all(name, parent, mass, com, inertia, shape.has_value(), collides);
-    if (shape) add(*shape);
-  }
-  void add(const Shape& shape) {
-    const auto& [kind, size, T_link_shape] = shape;
-    all(kind, size, T_link_shape);
-  }
-  void add(const Mechanism::Joint& joint) {
-    const auto& [name, type, parent, child, origin, rpy, axis, lower, upper, maxTorque, maxSpeed, encoder,
-                 servo, driver, driverRatio, driverOffset] = joint;
-    all(name, type, parent, child, origin, rpy, axis, lower, upper, maxTorque, maxSpeed, encoder, servo,
-        driver, driverRatio, driverOffset);
-  }
-  void add(const Mechanism::Imu& imu) {
-    const auto& [link, gyro, accelerometer, rpy] = imu;
-    all(link, gyro, accelerometer, rpy);
-  }
-  void add(const Mechanism::ForceSensor& sensor) {
-    const auto& [corner, position] = sensor;
-    all(corner, position);
-  }
-  void add(const Mechanism::Foot& foot) {
-    const auto& [name, link, soleCentre, soleSize, sensors] = foot;
-    all(name, link, soleCentre, soleSize, sensors);
-  }
-  void add(const Mechanism::Frame& frame) {
-    const auto& [name, link, T_link_frame] = frame;
-    all(name, link, T_link_frame);
-  }
-  void add(const Mechanism::Group& group) {
-    const auto& [name, joints] = group;
-    all(name, joints);
-  }
-  void add(const Mechanism& robot) {
-    const auto& [name, links, joints, frames, feet, groups, imu, hasImu, gravity, controlHz] = robot;
-    all(name, links, joints, frames, feet, groups, imu, hasImu, gravity, controlHz);
-  }
-
-  void add(const Signal& signal) {
-    const auto& [name, kind, joint, place, axis, unsignedValue, values, ofSupply] = signal;
-    all(name, kind, joint, place, axis, unsignedValue, values, ofSupply);
-  }
-  void add(const Restart& restart) {
-    const auto& [cycle, position, speed, load] = restart;
-    all(cycle, position, speed, load);
-  }
-  void add(const Trial& trial) {
-    const auto& [name, recording, motion, recordedMotion, robot, freeBase, heading, time, command, followed,
-                 commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt,
-                 velocityAt, signals, notPredicted, restarts, betweenSteps] = trial;
-    all(name, recording, motion, recordedMotion, *robot, freeBase, heading, time, command, followed,
-        commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt, velocityAt,
-        signals, notPredicted, restarts, betweenSteps);
-  }
   void add(const SignalNoise& noise) {
     const auto& [sigma, own, repeated] = noise;
     all(sigma, own, repeated);
@@ -115,44 +18,31 @@ public:
     add(evidence.trials());
     for (std::size_t t = 0; t < evidence.trials().size(); ++t)
       for (std::size_t s = 0; s < evidence.trials()[t].signals.size(); ++s)
-        all(evidence.noise(t, s), evidence.weights(t, s));
+        add(evidence.noise(t, s)), add(evidence.weights(t, s));
   }
   void add(const ReplayOptions& options) {
     // Of a replay each: joints, lostCycles.
-    const auto& [joints, step, gearStep, settle, restarts, lostCycles] = options;
-    all(step, gearStep, settle, restarts);
+    const auto& [joints, step, gearStep, settle, restarts, lostCycles, acrossCycles] = options;
+    all(step, gearStep, settle, restarts, acrossCycles);
   }
   void add(const DiagnosisOptions& options) {
     // Without influence: jobs, memory, progress.
     const auto& [jobs, maxCauses, memory, progress] = options;
     add(maxCauses);
   }
-
-  std::uint64_t hash = 0xcbf29ce484222325;
 };
-
-/// The program's file, which every change of the sources changes.
-std::uint64_t markOfProgram() {
-  Dump dump;
-  std::ifstream file("/proc/self/exe", std::ios::binary);
-  std::array<char, 1 << 16> buffer{};
-  while (file.read(buffer.data(), buffer.size()), file.gcount() > 0)
-    dump.bytes(buffer.data(), static_cast<std::size_t>(file.gcount()));
-  if (!file.eof()) throw std::runtime_error("/proc/self/exe: cannot be read");
-  return dump.hash;
-}
 
 }  // namespace
 
 std::string markOf(const Evaluator& evaluator, const DiagnosisOptions& options) {
-  static const std::uint64_t program = markOfProgram();
-  Dump dump;
-  dump.add(program);
-  for (const Effect* effect : effects()) dump.add(std::string(effect->id));
-  dump.all(evaluator.mechanism(), evaluator.evidence(), evaluator.replayOptions(), options);
-  char mark[17];
-  std::snprintf(mark, sizeof mark, "%016llx", static_cast<unsigned long long>(dump.hash));
-  return mark;
+  EvidenceDump dump;
+  dump.addProgram();
+  dump.addLibrary();
+  dump.add(evaluator.mechanism());
+  dump.add(evaluator.evidence());
+  dump.add(evaluator.replayOptions());
+  dump.add(options);
+  return dump.text();
 }
 
 }  // namespace plumbline::gap

@@ -1,9 +1,9 @@
 #pragma once
-#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "gap/diagnosis/MemoryFile.h"
 #include "gap/diagnosis/ValueFit.h"
 
 namespace plumbline::gap {
@@ -27,17 +27,15 @@ struct SearchResult {
 /// another version of the program.
 class SearchMemory {
 public:
-  using Warn = std::function<void(const std::string&)>;
-
-  /// path: read if it exists and fits, written after each search; empty: no file. warn is called once if the
-  /// file cannot be written; the diagnosis then continues without it.
-  SearchMemory(std::string path, std::string mark, const Mechanism& mechanism, Warn warn = {});
+  /// path: read if it exists and fits, written after each search; empty: no file. warn is called where the
+  /// file cannot be used, and once if it cannot be written; the diagnosis then continues without it.
+  SearchMemory(std::string path, std::string mark, const Mechanism& mechanism, MemoryFile::Warn warn = {});
 
   std::optional<SearchResult> find(const SearchStart& start) const;
   void keep(const SearchStart& start, const SearchResult& result);
   /// Searches that are in the file.
   std::size_t size() const { return stored_; }
-  const std::string& file() const { return path_; }
+  const std::string& file() const { return file_.path(); }
   /// Removes the file: the diagnosis is done.
   void forget();
 
@@ -46,14 +44,12 @@ private:
     SearchStart start;
     SearchResult result;
   };
-  void read(const Mechanism& mechanism);
-  void write();
+  void take(const nlohmann::json& searches, const Mechanism& mechanism);
+  nlohmann::json content() const;
 
-  std::string path_, mark_;
-  Warn warn_;
+  MemoryFile file_;
   std::vector<Entry> entries_;
   std::size_t stored_ = 0;
-  bool writable_ = true;
 };
 
 }  // namespace plumbline::gap

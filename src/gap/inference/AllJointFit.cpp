@@ -8,6 +8,7 @@
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/LeaveOutBias.h"
 #include "gap/inference/PerJointFit.h"
+#include "gap/inference/StoredParts.h"
 
 namespace plumbline::gap {
 
@@ -44,26 +45,28 @@ std::string AllJointFit::sentence() const {
 
 AllJointFit fitOfAllJoints(const Mechanism& robot, const std::vector<Trial>& trials, const Explanation& named,
                            const std::vector<Explanation>& namedWithout,
-                           const std::vector<RecordingLeft>& leftOut, int jobs,
-                           const std::function<void(double)>& progress) {
+                           const std::vector<RecordingLeft>& leftOut, const InferenceOptions& options) {
   AllJointFit further;
   const Groups groups(trials);
   if (std::ranges::any_of(trials, &Trial::freeBase)) return further;
-  const Replayer replayer(robot, groups, jobs,
+  const Replayer replayer(robot, groups, options.jobs,
                           hasFewKinds(groups, robot) ? ReplayOptions() : withLongSteps());
+  StoredParts parts(options.memory, [&] { return replayer.numAsked(); });
   double fits = 0;
-  const auto fitTo = [&](const Groups& some, const PerJoint& start) {
-    if (progress) progress(fits++ / static_cast<double>(groups.count() + 1));
-    return fitPerJoint(Replayer(replayer, some), start, fitSteps, prior).causes;
+  const auto fitTo = [&](const std::string& name, const Groups& some, const PerJoint& start) {
+    if (options.progress)
+      options.progress("all values of all joints", fits++ / static_cast<double>(groups.count() + 1));
+    return parts.values("all joints" + name,
+                        [&] { return fitPerJoint(Replayer(replayer, some), start, fitSteps, prior).causes; });
   };
   std::vector<FoundWithout> found(groups.count());
   for (std::size_t g = 0; g < groups.count(); ++g)
-    found[g].causes = fitTo(groups.without(g), startAt(robot, namedWithout.at(g)));
+    found[g].causes = fitTo(nameWithout(g), groups.without(g), startAt(robot, namedWithout.at(g)));
   const PerJoint start = startAt(robot, named);
   further.parameters = start.parameters;
   further.leftOut = leftWithout(groups, found);
   further.closed = meanClosed(further.leftOut) - meanClosed(leftOut);
-  further.model = fitTo(groups, start);
+  further.model = fitTo("", groups, start);
   further.claim = claimOf(closedPerGroup(further.leftOut, groupsOfRecordings(groups)),
                           leaveOutBias(groups, further.model, found));
   std::erase_if(further.model, [&](const Cause& cause) { return doesNothing(robot, cause); });

@@ -1,10 +1,10 @@
 #pragma once
-#include <functional>
 #include <string>
 #include <vector>
 
 #include "gap/inference/Claim.h"
 #include "gap/inference/HoldOut.h"
+#include "gap/inference/Inference.h"
 
 namespace plumbline::gap {
 
@@ -25,10 +25,10 @@ struct AllJointFit {
 
 /// Each group is left out in turn; the values are fitted to the others (fitPerJoint). named: where values
 /// begin; namedWithout: the same as found without each group; leftOut: what the answer left of recordings
-/// left out. Only for robots whose base is fixed: empty otherwise. progress: share done.
+/// left out. options: as of infer(), with the same memory. Only for robots whose base is fixed: empty
+/// otherwise.
 AllJointFit fitOfAllJoints(const Mechanism& robot, const std::vector<Trial>& trials, const Explanation& named,
                            const std::vector<Explanation>& namedWithout,
-                           const std::vector<RecordingLeft>& leftOut, int jobs,
-                           const std::function<void(double)>& progress = {});
+                           const std::vector<RecordingLeft>& leftOut, const InferenceOptions& options);
 
 }  // namespace plumbline::gap

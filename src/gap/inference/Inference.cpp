@@ -15,6 +15,7 @@
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Posterior.h"
 #include "gap/inference/SetSearch.h"
+#include "gap/inference/StoredParts.h"
 #include "gap/inference/WindowReplayer.h"
 
 namespace plumbline::gap {
@@ -154,20 +155,36 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   if (fixedBase && few) windows.emplace(robot, groups, options.jobs);
   if (fixedBase && !few) coarse.emplace(robot, groups, options.jobs, withLongSteps());
   const SearchTools tools{replayer, windows ? &*windows : nullptr, coarse ? &*coarse : nullptr};
-  report("each cause alone", 0);
-  const CandidateScreening screening(replayer, sharesOf(groups, replayer.residuals({})),
-                                     [&](double share) { report("each cause alone", share); });
+  StoredParts parts(options.memory, [&] { return tools.numAsked(); });
+  std::optional<CandidateScreening> screening;
   SetSearchOptions search;
-  search.screening = &screening;
+  // The screening serves all searches, but takes long: where all are stored, nobody needs it.
+  const auto searched = [&](const std::string& name, std::size_t count,
+                            const std::function<BeamResult()>& run) {
+    if (!screening && !parts.holdsSearch(name, count)) {
+      parts.uncounted([&] {
+        report("each cause alone", 0);
+        screening.emplace(replayer, sharesOf(groups, replayer.residuals({})),
+                          [&](double share) { report("each cause alone", share); });
+      });
+      search.screening = &*screening;
+    }
+    return parts.search(name, count, run);
+  };
   if (!few) search.mostCauses = mostOfManyKinds;
   if (options.mostCauses > 0) search.mostCauses = options.mostCauses;
   search.progress = [&](double share) { report("sets of causes", share); };
-  const BeamResult found = searchForSets(tools, search);
+  const std::string setsOfCauses = "sets of causes";
+  const BeamResult found =
+      searched(setsOfCauses, groups.count(), [&] { return searchForSets(tools, search); });
   const Scored& best = found.sets.front();
   const std::vector<double> p = posterior(found.sets);
   search.expectMany = coarse && best.causes().size() > mostSetBySet;
   search.progress = [&](double share) { report("again without each recording in turn", share); };
-  std::vector<FoundWithout> without = findWithoutEach(tools, search);
+  std::vector<FoundWithout> without =
+      findWithoutEach(tools, search, [&](std::size_t g, std::size_t left, const auto& run) {
+        return searched(setsOfCauses + nameWithout(g), left, run);
+      });
 
   Inference result;
   result.stretchesOfOne = groups.stretchesOfOne();
@@ -211,12 +228,19 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   // If the causes explain everything, their values are right.
   if (diagnosis.verdict == Verdict::unknown && fixedBase && differsByJoint(robot, best.causes())) {
     const Replayer& quick = coarse ? *coarse : replayer;
+    const std::string inEachJoint = "values in each joint";
+    const auto reportFits = [&](std::size_t done) {
+      report(inEachJoint.c_str(), static_cast<double>(done) / static_cast<double>(without.size() + 1));
+    };
     for (std::size_t g = 0; g < without.size(); ++g) {
-      report("values in each joint", static_cast<double>(g) / static_cast<double>(without.size() + 1));
+      reportFits(g);
       const Groups others = groups.without(g);
-      without[g].causes = withJointValues(Replayer(quick, others), without[g].causes);
+      without[g].causes = parts.values(inEachJoint + nameWithout(g), [&] {
+        return withJointValues(Replayer(quick, others), without[g].causes);
+      });
     }
-    diagnosis.jointValues = withJointValues(quick, best.causes());
+    reportFits(without.size());
+    diagnosis.jointValues = parts.values(inEachJoint, [&] { return withJointValues(quick, best.causes()); });
   }
   report("recordings left out", 0);
   result.leftOut = leftWithout(groups, without);
@@ -231,8 +255,7 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     squaresFloor += recording.floor * recording.floor / count;
   }
   diagnosis.gap = {std::sqrt(squaresBefore), std::sqrt(squaresAfter), std::sqrt(squaresFloor)};
-  result.replays =
-      replayer.numReplays() + (coarse ? coarse->numReplays() : 0) + (windows ? windows->numReplays() : 0);
+  result.replays = parts.replays();
   return result;
 }
 

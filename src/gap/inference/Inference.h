@@ -11,12 +11,15 @@
 
 namespace plumbline::gap {
 
+class InferenceMemory;
+
 /// What is left beyond the noise, over the noise, from which on the library lacks something.
 inline constexpr double leastUnexplained = 1;
 
 struct InferenceOptions {
   int jobs = 1;
-  std::size_t mostCauses = 0;  ///< in a set; 0: 8, or 12 of a robot with many kinds of causes
+  std::size_t mostCauses = 0;         ///< in a set; 0: 8, or 12 of a robot with many kinds of causes
+  InferenceMemory* memory = nullptr;  ///< of what a run that was stopped has done; null: none
   std::function<void(const std::string& stage, double share)> progress = {};
 };
 
@@ -37,6 +40,7 @@ struct Inference {
   /// is largest.
   double repeatsDiffer = 0;
   std::string repeatsSignal;
+  /// Asked for, those that were in memory among them: of one chain of joints in one recording each.
   std::size_t replays = 0;
 
   /// A remark where repeats differ by more than that noise; else empty. Without any cause the verdict is then

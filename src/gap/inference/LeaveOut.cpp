@@ -8,26 +8,36 @@
 
 namespace plumbline::gap {
 
-std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSearchOptions& options) {
+namespace {
+
+BeamResult searchWithout(const SearchTools& tools, std::size_t group, const Groups& others,
+                         const SetSearchOptions& options) {
+  SetSearchOptions settings = options;
+  settings.quick = true;
+  settings.width = 1;
+  settings.proposals = 3;
+  if (options.progress)
+    settings.progress = [&](double share) {
+      const auto count = static_cast<double>(tools.replayer.groups().count());
+      options.progress((static_cast<double>(group) + share) / count);
+    };
+  const Replayer replayer(tools.replayer, others);
+  std::optional<WindowReplayer> windows;
+  if (tools.windows) windows.emplace(*tools.windows, group);
+  std::optional<Replayer> coarse;
+  if (tools.coarse) coarse.emplace(*tools.coarse, others);
+  return searchForSets({replayer, windows ? &*windows : nullptr, coarse ? &*coarse : nullptr}, settings);
+}
+
+}  // namespace
+
+std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSearchOptions& options,
+                                          const SearchWithout& run) {
   std::vector<FoundWithout> found;
-  const std::size_t count = tools.replayer.groups().count();
-  for (std::size_t g = 0; g < count; ++g) {
+  for (std::size_t g = 0; g < tools.replayer.groups().count(); ++g) {
     const Groups others = tools.replayer.groups().without(g);
-    SetSearchOptions settings = options;
-    settings.quick = true;
-    settings.width = 1;
-    settings.proposals = 3;
-    if (options.progress)
-      settings.progress = [&](double share) {
-        options.progress((static_cast<double>(g) + share) / static_cast<double>(count));
-      };
-    const Replayer replayer(tools.replayer, others);
-    std::optional<WindowReplayer> windows;
-    if (tools.windows) windows.emplace(*tools.windows, g);
-    std::optional<Replayer> coarse;
-    if (tools.coarse) coarse.emplace(*tools.coarse, others);
-    BeamResult result =
-        searchForSets({replayer, windows ? &*windows : nullptr, coarse ? &*coarse : nullptr}, settings);
+    const auto search = [&] { return searchWithout(tools, g, others, options); };
+    BeamResult result = run ? run(g, others.count(), search) : search();
     FoundWithout& of = found.emplace_back();
     of.causes = result.sets.front().causes();
     of.probabilities = posterior(result.sets);

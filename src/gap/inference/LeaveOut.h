@@ -15,8 +15,14 @@ struct FoundWithout {
   std::vector<double> probabilities;
 };
 
-/// One search per group (searchForSets), in the others alone. The tools are those of all groups.
-std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSearchOptions& options);
+/// Runs the search without a group, which so many groups are left for, or has its result from elsewhere.
+using SearchWithout = std::function<BeamResult(std::size_t group, std::size_t groupsLeft,
+                                               const std::function<BeamResult()>& search)>;
+
+/// One search per group (searchForSets), in the others alone. The tools are those of all groups. The options
+/// are read when a search begins. run: null runs each.
+std::vector<FoundWithout> findWithoutEach(const SearchTools& tools, const SetSearchOptions& options,
+                                          const SearchWithout& run = {});
 
 /// Each recording replayed free with what was found without its group (or, where one recording alone is cut
 /// into stretches, each stretch).

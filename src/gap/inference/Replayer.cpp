@@ -15,15 +15,28 @@ constexpr double mostLead = 2e-4;        // of a position [s]
 constexpr double mostDutyLead = 1.5e-3;  // a servo's control cycle, at whose begin it worked a duty out [s]
 constexpr std::size_t mostKept = 40'000'000;  // numbers in the cache
 
+bool mayLead(const Signal& signal) {
+  return signal.kind == SignalKind::position || signal.kind == SignalKind::duty;
+}
+
+/// Per signal of a trial: its slope in each cycle, 0 in those that are not scored; empty where it does not
+/// lead.
+std::vector<std::vector<double>> ratesOf(const Trial& trial) {
+  std::vector<std::vector<double>> rates;
+  for (const Signal& signal : trial.signals) {
+    auto& of = rates.emplace_back(mayLead(signal) ? trial.cycles() : 0, 0.0);
+    for (std::size_t k = firstScored(trial); k < of.size(); ++k) of[k] = rateAt(trial, signal, k);
+  }
+  return rates;
+}
+
 /// Subtracts the part that a constant lead of the prediction explains.
-void takeLeadOff(const Trial& trial, const Signal& signal, std::vector<double>& residual) {
-  if (signal.kind != SignalKind::position && signal.kind != SignalKind::duty) return;
+void takeLeadOff(const Signal& signal, const std::vector<double>& rates, std::vector<double>& residual) {
+  if (!mayLead(signal)) return;
   const double most = signal.kind == SignalKind::duty ? mostDutyLead : mostLead;
   double product = 0, squares = 0;
-  std::vector<double> rates(residual.size(), 0.0);
-  for (std::size_t k = firstScored(trial); k < residual.size(); ++k) {
+  for (std::size_t k = 0; k < residual.size(); ++k) {
     if (!std::isfinite(residual[k])) continue;
-    rates[k] = rateAt(trial, signal, k);
     product += residual[k] * rates[k];
     squares += rates[k] * rates[k];
   }
@@ -44,6 +57,9 @@ Replayer::Replayer(const Mechanism& robot, const Groups& groups, int jobs, const
     if (fresh) chainJoints_.emplace_back();
     chainJoints_[at->second].push_back(joint);
   }
+  std::vector<std::vector<std::vector<double>>> rates;
+  for (const Trial& trial : groups.trials()) rates.push_back(ratesOf(trial));
+  rates_ = std::make_shared<const std::vector<std::vector<std::vector<double>>>>(std::move(rates));
 }
 
 Replayer::Replayer(const Replayer& whole, const Groups& groups)
@@ -52,6 +68,7 @@ Replayer::Replayer(const Replayer& whole, const Groups& groups)
       threads_(whole.threads_),
       accuracy_(whole.accuracy_),
       chainJoints_(whole.chainJoints_),
+      rates_(whole.rates_),
       memory_(whole.memory_) {}
 
 bool Replayer::feels(std::size_t chain, const Cause& cause) const {
@@ -118,7 +135,7 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
       const bool missing = std::isnan(signal.values[k]) || isEffort(signal.kind);
       residual[k] = missing || std::isfinite(r) ? r : 1e6;
     }
-    takeLeadOff(trial, signal, residual);
+    takeLeadOff(signal, (*rates_)[t][s], residual);
     played->emplace_back(s, std::make_shared<const ResidualSeries>(std::move(residual)));
   }
   return played;
@@ -133,9 +150,10 @@ Residuals Replayer::residuals(const Explanation& causes, const std::vector<char>
       tasks.push_back({t, chain, keyOf(t, chain, causes), {}});
   }
   std::vector<std::size_t> missing;
-  auto& [mutex, cache, recent, kept, replays] = *memory_;
+  auto& [mutex, cache, recent, kept, replays, asked] = *memory_;
   {
     const std::lock_guard lock(mutex);
+    asked += tasks.size();
     for (std::size_t i = 0; i < tasks.size(); ++i) {
       const auto at = cache.find(tasks[i].key);
       if (at == cache.end()) {

@@ -39,6 +39,8 @@ public:
   int jobs() const { return threads_; }
   /// So far, with those for other groups.
   std::size_t numReplays() const { return memory_->replays; }
+  /// The same with those that were in memory: how many, whatever came before.
+  std::size_t numAsked() const { return memory_->asked; }
 
 private:
   using Played = std::shared_ptr<const std::vector<std::pair<std::size_t, Series>>>;
@@ -57,11 +59,13 @@ private:
   int threads_;
   ReplayOptions accuracy_;
   std::vector<std::vector<int>> chainJoints_;
+  /// Per trial and signal: the measured slope in each cycle.
+  std::shared_ptr<const std::vector<std::vector<std::vector<double>>>> rates_;
   struct Memory {
     std::mutex mutex;
     std::map<std::string, std::pair<Played, std::list<std::string>::iterator>> cache;
     std::list<std::string> recent;  ///< keys, the last used first
-    std::size_t kept = 0, replays = 0;
+    std::size_t kept = 0, replays = 0, asked = 0;
   };
   std::shared_ptr<Memory> memory_ = std::make_shared<Memory>();
 };

@@ -10,6 +10,11 @@ struct SearchTools {
   WindowReplayer* windows = nullptr;  ///< of a robot with few kinds of causes
   /// Of a robot with many kinds of causes: with long steps (withLongSteps), for quick searches.
   const Replayer* coarse = nullptr;
+
+  /// See Replayer.
+  std::size_t numAsked() const {
+    return replayer.numAsked() + (coarse ? coarse->numAsked() : 0) + (windows ? windows->numAsked() : 0);
+  }
 };
 
 /// Causes of a robot with many kinds of causes that are fitted set by set.

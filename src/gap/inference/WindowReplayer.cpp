@@ -1,9 +1,12 @@
 #include "gap/inference/WindowReplayer.h"
 
 #include <Eigen/Cholesky>
+#include <array>
 #include <cmath>
 #include <map>
 #include <numbers>
+
+#include "gap/replay/DoublePair.h"
 
 namespace plumbline::gap {
 
@@ -34,22 +37,37 @@ std::shared_ptr<const Replayer> replayerOf(const Mechanism& robot, const Groups&
 
 CosineBasis::CosineBasis(std::size_t length, std::size_t most)
     : length_(length), count_(std::min(length, most)) {
-  for (std::size_t j = 0; j < count_; ++j)
-    for (std::size_t k = 0; k < length_; ++k)
+  for (std::size_t k = 0; k < length_; ++k)
+    for (std::size_t j = 0; j < count_; ++j)
       values_.push_back(std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) /
                                  static_cast<double>(length_)));
 }
 
 Eigen::VectorXd CosineBasis::coefficients(const ResidualSeries& residuals, std::size_t from) const {
-  const std::size_t n = length_;
-  Eigen::VectorXd coefficients = Eigen::VectorXd::Zero(static_cast<Eigen::Index>(count_));
-  for (std::size_t j = 0; j < count_; ++j) {
+  Eigen::VectorXd coefficients(static_cast<Eigen::Index>(count_));
+  double* const sums = coefficients.data();
+  const double* const values = &*(residuals.begin() + static_cast<std::ptrdiff_t>(from));
+  std::size_t j = 0;
+  for (; j + 7 < count_; j += 8) addUp<4>(values, j, sums);
+  for (; j + 3 < count_; j += 4) addUp<2>(values, j, sums);
+  for (; j + 1 < count_; j += 2) addUp<1>(values, j, sums);
+  for (; j < count_; ++j) {
     double sum = 0;
-    for (std::size_t k = 0; k < n; ++k) sum += residuals[from + k] * values_[j * n + k];
-    coefficients[static_cast<Eigen::Index>(j)] =
-        sum * std::sqrt((j == 0 ? 1.0 : 2.0) / static_cast<double>(n));
+    for (std::size_t k = 0; k < length_; ++k) sum += values[k] * values_[k * count_ + j];
+    sums[j] = sum;
   }
+  for (j = 0; j < count_; ++j) sums[j] *= std::sqrt((j == 0 ? 1.0 : 2.0) / static_cast<double>(length_));
   return coefficients;
+}
+
+/// Sums of twice as many coefficients from the first on, each in the order of the samples.
+template <std::size_t pairs>
+void CosineBasis::addUp(const double* values, std::size_t first, double* sums) const {
+  std::array<DoublePair, pairs> of{};
+  const double* row = values_.data() + first;
+  for (std::size_t k = 0; k < length_; ++k, row += count_)
+    for (std::size_t p = 0; p < pairs; ++p) of[p] += values[k] * readDoubles<DoublePair>(row + 2 * p);
+  for (std::size_t p = 0; p < pairs; ++p) writeDoubles(sums + first + 2 * p, of[p]);
 }
 
 WindowReplayer::WindowReplayer(const Mechanism& robot, const Groups& groups, int jobs) {
@@ -82,8 +100,8 @@ WindowReplayer::WindowReplayer(const WindowReplayer& whole, std::size_t leftOut)
   putFactors();
 }
 
-std::size_t WindowReplayer::numReplays() const {
-  return plain_->numReplays() + moved_->numReplays() + hurried_->numReplays();
+std::size_t WindowReplayer::numAsked() const {
+  return plain_->numAsked() + moved_->numAsked() + hurried_->numAsked();
 }
 
 /// Puts the windows that were measured and are predicted without gaps into cells.

@@ -19,8 +19,11 @@ public:
   Eigen::VectorXd coefficients(const ResidualSeries& residuals, std::size_t from) const;
 
 private:
+  template <std::size_t pairs>
+  void addUp(const double* values, std::size_t first, double* sums) const;
+
   std::size_t length_, count_;
-  std::vector<double> values_;  ///< per coefficient and sample
+  std::vector<double> values_;  ///< per sample and coefficient
 };
 
 /// Residuals of recordings that are replayed in windows from the measured state, for robots whose base is
@@ -37,7 +40,7 @@ public:
   const Groups& groups() const override { return *groups_; }
   const Mechanism& mechanism() const override { return plain_->mechanism(); }
   std::vector<CauseKind> kinds() const override { return windowKinds(groups(), mechanism()); }
-  std::size_t numReplays() const;
+  std::size_t numAsked() const;  ///< see Replayer
 
 private:
   void layOut();

@@ -25,6 +25,12 @@ double settlingTime(const Trial& trial, const ReplayOptions& options) {
   return options.settle > 0 && trial.freeBase ? std::max(options.settle, freeSettle) : options.settle;
 }
 
+/// Whether nothing of the whole body is read, or put into the state, at the begin of a cycle.
+bool mayCross(const Trial& trial, const ReplayOptions& options) {
+  return !trial.freeBase && !(options.restarts && !trial.restarts.empty()) &&
+         std::ranges::none_of(trial.signals, [](const Signal& signal) { return signal.joint < 0; });
+}
+
 /// Whether some joints are played that all others act on: through a supply that sags under all motors.
 bool needsOthers(const Plant& plant, const Trial& trial, const ReplayOptions& options) {
   return !options.joints.empty() && !trial.freeBase && SupplyRail(plant.joints).hasVoltageDrop();
@@ -70,7 +76,9 @@ Playback::Playback(const Plant& plant, const Trial& trial, const ReplayOptions& 
       stepper_(*plant_, trial, jointsToPlay(plant, trial, options), options.lostCycles),
       longest_(stepper_.geared() ? options.gearStep : options.step),
       settleFor_(settlingTime(trial, options)),
-      t_(trial.time[0]) {
+      t_(trial.time[0]),
+      mayCross_(mayCross(trial, options)),
+      acrossCycles_(options.acrossCycles && mayCross_) {
   const std::vector<int> joints = jointsToPlay(plant, trial_, options);
   for (std::size_t s = 0; s < trial_.signals.size(); ++s) {
     const Signal& signal = trial_.signals[s];
@@ -82,7 +90,10 @@ Playback::Playback(const Plant& plant, const Trial& trial, const ReplayOptions& 
     if (signal.kind == SignalKind::velocity) shift = trial_.velocityAt[joint];
     readings_.push_back({s, static_cast<int>(place - joints.begin()), signal.kind, shift,
                          signal.unsignedValue, signal.ofSupply});
-    if (isEffort(signal.kind)) readings_.back().seen = positionOf(trial_, signal.joint);
+    if (isEffort(signal.kind)) {
+      readings_.back().seen = positionOf(trial_, signal.joint);
+      readsEfforts_ = true;
+    }
     lastShift_ = std::max(lastShift_, shift);
   }
 }
@@ -105,9 +116,28 @@ const std::vector<Playback::Shown>& Playback::settle() {
   return due_;
 }
 
-const std::vector<Playback::Shown>& Playback::play(std::size_t cycle) {
+std::size_t Playback::lastInStep(std::size_t cycle) const {
+  std::size_t last = cycle;
+  if (readsEfforts_ || !mayCross_) return last;
+  while (last + 2 < trial_.cycles() && (trial_.time[last + 2] - trial_.time[cycle]) / longest_ - 1e-9 <= 1)
+    ++last;
+  return last;
+}
+
+const std::vector<Playback::Shown>& Playback::playTo(std::size_t cycle) {
   due_.clear();
   const double end = cycle + 1 < trial_.cycles() ? trial_.time[cycle + 1] : trial_.time[cycle] + lastShift_;
+  if (acrossCycles_ && !readsEfforts_) {
+    const double last = trial_.time.back() + lastShift_;
+    while (t_ < end - longest_ * 1e-9) {
+      StopSignal::throwIfCaught();
+      const double to = std::min(t_ + longest_, last);
+      stepper_.step(t_, to);
+      read(t_, to);
+      t_ = to;
+    }
+    return due_;
+  }
   const int steps = static_cast<int>(std::ceil((end - t_) / longest_ - 1e-9));
   const double start = t_;
   for (int i = 1; i <= steps; ++i) {

@@ -24,7 +24,12 @@ public:
   /// Settles under the first command; returns the readings before the first cycle.
   const std::vector<Shown>& settle();
   /// Plays a cycle up to the next, or to its last reading; returns the readings. Call in ascending order.
-  const std::vector<Shown>& play(std::size_t cycle);
+  const std::vector<Shown>& play(std::size_t cycle) { return playTo(cycle); }
+  /// The same for a cycle and those after it up to a last one, in steps that need not end with each of them.
+  const std::vector<Shown>& playTo(std::size_t lastCycle);
+  /// The last cycle that ends within one step from this one's begin: of a log that is faster than the
+  /// integrator. The cycle itself where efforts or the body are read, or the state is put in.
+  std::size_t lastInStep(std::size_t cycle) const;
   /// Changes which cycles' commands are lost from now on; the list must outlive this object. Null: none.
   void lose(const std::vector<std::uint8_t>* lostCycles) { stepper_.lose(lostCycles); }
 
@@ -61,6 +66,9 @@ private:
   std::shared_ptr<const Plant> plant_;
   Stepper stepper_;
   double longest_, settleFor_, t_, lastShift_ = 0;
+  /// Efforts are read, for which the command then in force counts: steps end with each cycle.
+  bool readsEfforts_ = false;
+  bool mayCross_, acrossCycles_;
   std::vector<Reading> readings_;
   /// When the next of them is due, as far as is known [s].
   double nextRead_ = -std::numeric_limits<double>::infinity();

@@ -45,7 +45,8 @@ Prediction replay(const Plant& plant, const Trial& trial, const ReplayOptions& o
     if (options.restarts && restart != trial.restarts.end() && restart->cycle == k)
       stepper.restart(*restart++);
     if (!body.empty()) stepper.readBody(k, playback.time(), body, result.values);
-    keep(playback.play(k));
+    k = playback.lastInStep(k);
+    keep(playback.playTo(k));
   }
   stepper.endBody(body, result.values);
   result.fell = stepper.fell();

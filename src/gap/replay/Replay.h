@@ -11,18 +11,21 @@ struct ReplayOptions {
   /// Joints to move, including those that carry them; empty: all. With a fixed base chains do not influence
   /// each other, so an effect at a joint needs only its chain.
   std::vector<int> joints;
-  double step = 0.002;      ///< longest step of the integrator [s]
+  double step = 0.002;      ///< longest step of the integrator [s]; it may span cycles of a faster log
   double gearStep = 0.001;  ///< the same if a gear has backlash or compliance [s]
   double settle = 1;  ///< time for which the first command is held before the run [s]; 0: starts as measured
   bool restarts = true;  ///< restarts from the measured state where the trial says; false: in one piece
   const std::vector<std::uint8_t>* lostCycles = nullptr;  ///< per cycle: its command was lost
+  /// Steps are as long as they may be and need not end with cycles; a command counts by its share of a step.
+  bool acrossCycles = false;
 };
 
-/// For differences of replays, which hardly depend on the step: twice the usual ones.
+/// For differences of replays, which hardly depend on the step: twice the usual ones, across cycles.
 inline ReplayOptions withLongSteps() {
   ReplayOptions options;
   options.step *= 2;
   options.gearStep *= 2;
+  options.acrossCycles = true;
   return options;
 }
 

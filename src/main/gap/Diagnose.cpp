@@ -106,23 +106,25 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   if (segments > 0 && !options.quiet)
     std::fprintf(stderr, "gap: looks at %zu segments of these long runs (--seconds)\n", segments);
 
+  const bool toFile = !options.json.empty() && options.json != "-";
+  if (toFile) makeFolderOf(options.json);
+  const std::string memory = toFile ? options.json + ".searches" : "";
   const int jobs = threadsFor(options.jobs);
   // Robots on their feet are still diagnosed by blocks: sets replays them in one piece.
   const bool onFeet = std::ranges::any_of(trials, &Trial::freeBase);
   if (options.method.empty() ? !onFeet : options.method == "sets") {
-    const SetsRequest request{robot, options.json, options.timing, jobs, options.maxCauses, options.quiet};
+    const SetsRequest request{robot, options.json,      options.timing, memory,
+                              jobs,  options.maxCauses, options.quiet};
     diagnoseBySets(request, std::move(trials), std::move(input), timing);
     return;
   }
   DiagnosisOptions settings;
   settings.jobs = jobs;
   if (options.maxCauses > 0) settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
-  const bool toFile = !options.json.empty() && options.json != "-";
-  if (toFile) makeFolderOf(options.json);
   std::optional<ProgressLine> line(std::in_place, options.quiet);
   settings.progress = [&line](const std::string& stage, double share) { line->update(stage, share); };
   const auto say = [&line](const std::string& text) { line->say(text); };
-  DiagnosisAttempts attempts(robot, settings, toFile ? options.json + ".searches" : "",
+  DiagnosisAttempts attempts(robot, settings, memory,
                              {options.quiet ? DiagnosisAttempts::Message() : say, say});
   const Diagnosis diagnosis = attempts.run(std::move(trials));
   line.reset();

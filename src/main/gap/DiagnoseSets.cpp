@@ -1,13 +1,15 @@
 #include "main/gap/DiagnoseSets.h"
 
 #include <cstdio>
-#include <filesystem>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
+#include <optional>
 
+#include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "gap/inference/AllJointFit.h"
 #include "gap/inference/Inference.h"
+#include "gap/inference/InferenceMark.h"
+#include "gap/inference/InferenceMemory.h"
 #include "gap/inference/JointValues.h"
 #include "gap/inference/LeftJson.h"
 #include "gap/report/MotionQuestion.h"
@@ -83,17 +85,28 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
   if (request.maxCauses > 0) options.mostCauses = static_cast<std::size_t>(request.maxCauses);
   Inference inference;
   AllJointFit further;
-  {
+  std::optional<InferenceMemory> memory;
+  try {
     ProgressLine line(request.quiet);
+    if (!request.memory.empty()) {
+      memory.emplace(request.memory, markOf(request.robot, trials, options), request.robot,
+                     [&line](const std::string& problem) { line.say(problem); });
+      options.memory = &*memory;
+      if (memory->size() > 0 && !request.quiet)
+        line.say("continues from " + memory->file() + " (" + memory->sizeText() + ")");
+    }
     options.progress = [&line](const std::string& stage, double share) { line.update(stage, share); };
     line.update("noise of the readings", 0);
     inference = infer(request.robot, trials, options);
     // If the named causes explain everything, nothing is left for the fit of all joints.
     if (inference.diagnosis.verdict == Verdict::unknown) {
       further = fitOfAllJoints(request.robot, trials, inference.diagnosis.explanation(),
-                               inference.foundWithout, inference.leftOut, request.jobs,
-                               [&line](double share) { line.update("all values of all joints", share); });
+                               inference.foundWithout, inference.leftOut, options);
     }
+  } catch (const Stopped&) {
+    if (memory && memory->size() > 0)
+      throw Stopped("stopped; the same command continues from " + memory->file());
+    throw;
   }
   const Evidence evidence(std::move(trials), inference.noises);
   input.nextMotion = separatingMotion(request.robot, inference.diagnosis);
@@ -104,11 +117,8 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
     std::fputs(text.c_str(), stdout);
     return;
   }
-  if (!request.json.empty()) {
-    const std::filesystem::path folder = std::filesystem::path(request.json).parent_path();
-    if (!folder.empty()) std::filesystem::create_directories(folder);
-    writeFile(request.json, text);
-  }
+  if (!request.json.empty()) writeFile(request.json, text);
+  if (memory) memory->forget();
   print(inference, further, input);
 }
 

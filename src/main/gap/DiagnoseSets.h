@@ -12,6 +12,7 @@ namespace plumbline::gap {
 struct SetsRequest {
   const Mechanism& robot;
   std::string json, timing;
+  std::string memory;  ///< file that a stopped diagnosis continues from; empty: none
   int jobs = 1, maxCauses = 0;
   bool quiet = false;
 };

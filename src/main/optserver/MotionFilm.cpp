@@ -55,8 +55,9 @@ private:
 /// value for other tasks.
 std::optional<int> fallOf(const training::Study& study, motion::MotionTrial& trial) {
   if (study.task != "standUp") return std::nullopt;
-  const int direction = training::fallDirection(study.options);
-  const bool inPlay = training::fallsInPlay(study.options);
+  const auto options = study.options.as<training::StandUpOptions>();
+  const int direction = options.side();
+  const bool inPlay = options.inPlay();
   for (int i = 0; i < falls; ++i) {
     const bool lies = inPlay ? trial.stumble(direction) : trial.fall(direction);
     if (lies && training::liesAs(trial, direction)) break;
@@ -83,7 +84,7 @@ std::string motionFilm(const training::Study& study, const Eigen::VectorXd& para
                        const std::string& name) {
   const std::string text = training::makeTask(study.task, study.options)->file(parameters, "");
   if (text.empty()) return {};
-  const int type = static_cast<int>(study.options.number("type", 0, 0, numSimsparkTypes() - 1));
+  const int type = study.options.robotType();
   motion::MotionTrial trial(type);
   const motion::KeyframeMotion motion = motion::readKeyframeText(text, "found.yaml", trial.model, {});
   Camera camera(trial, type);

@@ -22,6 +22,7 @@
 #include "optimization/farm/FarmServer.h"
 #include "simspark/ChildProcess.h"
 #include "training/Study.h"
+#include "training/TaskPage.h"
 
 namespace plumbline {
 namespace {
@@ -34,7 +35,7 @@ struct Options {
   double every = 5;
   int measured = 0;
   std::uint64_t firstSeed = 0;
-  bool status = false, serves = false, show = false;
+  bool status = false, serves = false, show = false, parameters = false;
   pages::PageServer::Config web{.port = SearchPage::standardPort};
 };
 
@@ -72,8 +73,7 @@ public:
   }
   /// All get their signal before the first is waited for.
   ~LocalWorkers() {
-    for (const auto& worker : all_)
-      if (worker->running()) kill(worker->pid(), SIGTERM);
+    for (const auto& worker : all_) worker->askToStop();
   }
   LocalWorkers(const LocalWorkers&) = delete;
   LocalWorkers& operator=(const LocalWorkers&) = delete;
@@ -308,12 +308,13 @@ int runProgram(int argc, char** argv) {
       .needs(web);
   app.flag("--show", options.show, "With --web: shows existing results, and does not search").needs(web);
   app.flag("--status", options.status, "Asks the server at --bind and --port for its progress");
+  app.flag("--parameters", options.parameters, "Prints a page of all tasks with their options and ends");
   app.action("--config", useConfigFolder,
              "folder of the configuration [config/ here, else the one next to bin/]");
   std::string tasks;
   for (const training::TaskKind& kind : training::searchTasks())
     tasks += fmt::format("  {:<10} {}\n", kind.name, kind.what);
-  app.footer("Tasks:\n" + tasks +
+  app.footer("Tasks (--parameters prints their options):\n" + tasks +
              "Stopped or killed, it goes on where it was with the same command.\n"
              "Examples:\n  bin/optserver config/optimisation/standUpFront.yaml --workers 2\n"
              "  bin/optserver config/optimisation/standUpFront.yaml --option type=3 --workers 2\n"
@@ -322,6 +323,10 @@ int runProgram(int argc, char** argv) {
              "  bin/optserver --status\n"
              "  bin/optserver study.yaml --bind 0.0.0.0 --token SECRET");
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
+  if (options.parameters) {
+    fmt::print("{}", training::taskPage());
+    return 0;
+  }
   if (options.status) {
     fmt::print("{}\n", farm::readStatus({options.farm.address, options.farm.port, options.farm.token}));
     return 0;

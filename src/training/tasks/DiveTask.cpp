@@ -25,15 +25,12 @@ const Vec2 keeperPlace(-5, 0);      // nothing else stands near
 
 }  // namespace
 
-DiveTask::DiveTask(const TaskOptions& options)
-    : worlds_(options, robotTypeOf(options, {"motion", "reaction", "from", "to"})),
-      reaction_(options.number("reaction", 0.16, 0, 2)),
-      from_(options.number("from", 0.2, -1, 2)),
-      to_(options.number("to", 0.9, -1, 2)) {
+DiveTask::DiveTask(const DiveOptions& options)
+    : worlds_(options.world), reaction_(options.reaction), from_(options.from), to_(options.to) {
   try {
     const motion::MotionTrial& trial = worlds_.first();
-    parameters_ = std::make_unique<motion::MotionParameters>(trial.motion(options.word("motion", "diveLeft")),
-                                                             trial.model, motion::Sides::apart);
+    parameters_ = std::make_unique<motion::MotionParameters>(trial.motion(options.motion), trial.model,
+                                                             motion::Sides::apart);
   } catch (const std::out_of_range& error) {
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
@@ -90,11 +87,6 @@ std::string DiveTask::file(const Eigen::VectorXd& parameters, const std::string&
                             heading);
 }
 
-MAKE_TASK(dive, {"dive",
-                 "a goalie's dive to the left: type, motion, reaction, from, to, engine, effects, draws, "
-                 "firstDraw",
-                 [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-                   return std::make_unique<DiveTask>(options);
-                 }});
+MAKE_TASK(DiveTask, "dive", "a goalie's dive to the left")
 
 }  // namespace plumbline::training

@@ -9,6 +9,16 @@
 
 namespace plumbline::training {
 
+/// Options of the task dive.
+struct DiveOptions {
+  PARAMETERS(DiveOptions)
+  PARAMETER(std::string, motion, "diveLeft", "", Range(), "dive to begin with")
+  PARAMETER(double, reaction, 0.16, "s", Range(0, 2), "time from the shot until the motion begins")
+  PARAMETER(double, from, 0.2, "m", Range(-1, 2), "nearest that the ball crosses to the robot's left")
+  PARAMETER(double, to, 0.9, "m", Range(-1, 2), "farthest that the ball crosses to the robot's left")
+  PARAMETER_GROUP(WorldOptions, world, "robot and worlds")
+};
+
 /// A goalie's dive to the left. In a run the robot stands before its goal; a ball is shot at the line
 /// that it stands on, so far to the left that a standing robot hardly stops it. The robot sees the shot after
 /// `reaction` seconds and plays the motion. The cost is 1 for a goal and 0 for a save, less a tenth of the
@@ -16,11 +26,10 @@ namespace plumbline::training {
 /// nothing yet has a direction to go.
 ///
 /// Figures: saved (1 or 0), cover (the part of the way that is covered) [m].
-/// Options: type (0), motion (diveLeft), reaction (0.16) [s], from and to (0.2, 0.9): the ball's distance to
-/// the robot's left when it crosses [m], and those of TrialWorlds.
 class DiveTask : public SearchTask {
 public:
-  explicit DiveTask(const TaskOptions& options);
+  using Options = DiveOptions;
+  explicit DiveTask(const DiveOptions& options);
 
   const std::vector<TaskParameter>& parameters() const override { return parameters_->list(); }
   TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;

@@ -9,18 +9,22 @@
 namespace plumbline::training {
 namespace {
 
-/// Functions of the textbooks, to try optimisers and servers on: the least cost is 0. Options: function,
-/// dimension, noise (standard deviation that is added), sleep [s] and its deviation `spread` (a share).
-/// Figure: slept [s].
+struct FunctionOptions {
+  PARAMETERS(FunctionOptions)
+  PARAMETER_CHOICE(function, "sphere", "which one", "sphere", "ellipsoid", "rosenbrock", "rastrigin")
+  PARAMETER(int, dimension, 10, "", Range(1, 10000), "number of parameters")
+  PARAMETER(double, noise, 0, "", Range(0, 1e6), "standard deviation of what is added to each cost")
+  PARAMETER(double, sleep, 0, "s", Range(0, 3600), "time that a run takes")
+  PARAMETER(double, spread, 0, "", Range(0, 1), "standard deviation of that time, as a share of it")
+};
+
+/// Functions of the textbooks, to try optimisers and servers on: the least cost is 0. Figure: slept [s].
 class FunctionTask : public SearchTask {
 public:
-  explicit FunctionTask(const TaskOptions& options)
-      : function_(options.word("function", "sphere", {"sphere", "ellipsoid", "rosenbrock", "rastrigin"})),
-        noise_(options.number("noise", 0, 0, 1e6)),
-        sleep_(options.number("sleep", 0, 0, 3600)),
-        spread_(options.number("spread", 0, 0, 1)) {
-    options.check({"function", "dimension", "noise", "sleep", "spread"});
-    const int n = static_cast<int>(options.number("dimension", 10, 1, 10000));
+  using Options = FunctionOptions;
+  explicit FunctionTask(const FunctionOptions& options)
+      : function_(options.function), noise_(options.noise), sleep_(options.sleep), spread_(options.spread) {
+    const int n = options.dimension;
     for (int i = 0; i < n; ++i) {
       std::string name = "x";
       parameters_.push_back(
@@ -60,9 +64,6 @@ private:
 
 }  // namespace
 
-MAKE_TASK(function, {"function", "functions of the textbooks: function, dimension, noise, sleep, spread",
-                     [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-                       return std::make_unique<FunctionTask>(options);
-                     }});
+MAKE_TASK(FunctionTask, "function", "functions of the textbooks")
 
 }  // namespace plumbline::training

@@ -38,21 +38,14 @@ struct Flight {
 
 }  // namespace
 
-KickTask::KickTask(const TaskOptions& options)
-    : spread_(options.number("spread", 0.01, 0, 0.1)),
-      walk_(options.number("walk", 2, 0.2, 10)),
-      still_(options.number("still", 0, 0, 1)),
-      direction_(fromDegrees(options.number("direction", 0, -180, 180))),
-      worlds_(options, robotTypeOf(options, {"motion", "side", "direction", "distance", "ceiling", "spread",
-                                             "weight", "steady", "walk", "still"})),
+KickTask::KickTask(const KickOptions& options)
+    : options_(options),
+      direction_(fromDegrees(options.direction)),
+      worlds_(options.world),
       ball_(worlds_.engine()) {
-  wish_.distance = options.number("distance", wish_.distance, 0, 30);
-  wish_.ceiling = options.number("ceiling", wish_.ceiling, 0, 5);
-  wish_.weight = options.number("weight", wish_.weight, 0, 100);
-  wish_.steady = options.number("steady", wish_.steady, 0, 100);
-  const Side foot = options.word("side", "right", {"right", "left"}) == "left" ? Side::left : Side::right;
+  const Side foot = options.side == "left" ? Side::left : Side::right;
   try {
-    const motion::KeyframeMotion& first = worlds_.first().motion(options.word("motion", "kickRight"));
+    const motion::KeyframeMotion& first = worlds_.first().motion(options.motion);
     kick_ = std::make_unique<motion::SearchedKick>(first, worlds_.first().model, foot);
   } catch (const std::logic_error& error) {  // out_of_range or invalid_argument
     throw ConfigurationError(std::string("option motion: ") + error.what());
@@ -88,11 +81,12 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   world.setState(robot.robot(), from.torso, from.angles, from.rates);
   trial.restarted();
   trial.seedRun(seed);
-  const double x = trial.random(-spread_, spread_), y = trial.random(-spread_, spread_);
+  const double x = trial.random(-options_.spread, options_.spread),
+               y = trial.random(-options_.spread, options_.spread);
   const Pose2 ground = groundPose(from.torso.pose);
   const Vec2 place = ground * Vec2(kick.ball + Vec2(x, y));
   world.setBall(Vec3(place.x(), place.y(), ballRadius), Vec3::Zero());
-  WalkOn walk(trial, walk_, still_);
+  WalkOn walk(trial, options_.walk, options_.still);
 
   int cycles = 0, contact = -1;
   double height = 0;
@@ -128,7 +122,7 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   result.error = walk.error();
   const double off = toDegrees(result.direction());
   TaskOutcome outcome;
-  outcome.cost = wish_.cost(result);
+  outcome.cost = options_.wish.cost(result);
   outcome.figures = {
       {"distance", result.way.x()}, {"direction", toDegrees(direction_) + off},
       {"off", std::abs(off)},       {"height", result.height},
@@ -157,13 +151,6 @@ std::string KickTask::file(const Eigen::VectorXd& parameters, const std::string&
   return motion::motionFile(kick, worlds_.first().model, heading);
 }
 
-MAKE_TASK(
-    kick,
-    {"kick",
-     "a kick: type, motion, side, direction, distance, ceiling, spread, weight, steady, walk, still, engine, "
-     "effects, draws, firstDraw",
-     [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-       return std::make_unique<KickTask>(options);
-     }});
+MAKE_TASK(KickTask, "kick", "a kick")
 
 }  // namespace plumbline::training

@@ -9,6 +9,23 @@
 
 namespace plumbline::training {
 
+/// Options of the task kick.
+struct KickOptions {
+  PARAMETERS(KickOptions)
+  PARAMETER(std::string, motion, "kickRight", "", Range(), "kick to begin with")
+  PARAMETER_CHOICE(side, "right", "kicking foot", "right", "left")
+  PARAMETER(double, direction, 0, "deg", Range(-180, 180), "where the ball is to go, to the left of forward")
+  PARAMETER_GROUP(motion::KickWish, wish, "what is wanted of the kick")
+  PARAMETER(double, spread, 0.01, "m", Range(0, 0.1),
+            "largest offset of the ball to each side; the thesis's square has 2 x 2 cm")
+  PARAMETER(double, walk, 2, "s", Range(0.2, 10),
+            "time of the walk after the kick; a shorter one makes a search faster, not its result better")
+  PARAMETER(double, still, 0, "", Range(0, 1),
+            "share of the runs in which the robot stands for that time instead of walking: a walk hides that "
+            "a robot would fall")
+  PARAMETER_GROUP(WorldOptions, world, "robot and worlds")
+};
+
 /// A kick in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot has walked to the ball and
 /// stopped, or stands and sways (decided by the seed). The ball is within `spread` of the kick's ball
 /// position. The robot plays the motion and then walks for two seconds while the ball stops. The cost is
@@ -18,13 +35,10 @@ namespace plumbline::training {
 /// Further: time [ms], contact [ms] (from the beginning to the ball), error, up (1: leans by less than 30
 /// degrees at the end). top is the ball's largest height between 3 and 8 m from its start [m]; low is 1 if
 /// top is below the goal's bar and the ball came so far.
-/// - Options: type 0 .., motion (name of the first file), side (of the kicking foot), direction (wanted, left
-/// of forward) [deg, 0], distance [m, 0: as far as possible]. Further: ceiling (of top, 0: none) [m], spread
-/// [m], weight (0.08), steady (1), walk [s, 2: a shorter one makes a search faster]. still is the share of
-/// the runs in which the robot stands that long instead of walking (0). And the options of TrialWorlds.
 class KickTask : public SearchTask {
 public:
-  explicit KickTask(const TaskOptions& options);
+  using Options = KickOptions;
+  explicit KickTask(const KickOptions& options);
 
   const std::vector<TaskParameter>& parameters() const override { return kick_->list(); }
   TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;
@@ -43,9 +57,8 @@ private:
   };
   const Start& start(std::uint64_t seed);
 
-  const double spread_, walk_, still_;
+  const KickOptions options_;
   const double direction_;  ///< wanted, left of forward [rad]
-  motion::KickWish wish_;
   TrialWorlds worlds_;
   BallRoll ball_;
   std::unique_ptr<motion::SearchedKick> kick_;

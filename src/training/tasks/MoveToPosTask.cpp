@@ -5,6 +5,7 @@
 
 #include "framework/CommentLines.h"
 #include "framework/ConfigFile.h"
+#include "framework/ConfigurationError.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
 #include "simspark/LeagueRobots.h"
@@ -31,22 +32,24 @@ constexpr SearchedPath walkNumbers[] = {
 
 }  // namespace
 
-MoveToPosTask::MoveToPosTask(const TaskOptions& options)
+MoveToPosTask::MoveToPosTask(const MoveToPosOptions& options)
     : MoveToPosTask(options, ConfigFile("SkillMoveToPos", MotionTrial::directories(0))) {}
 
-MoveToPosTask::MoveToPosTask(const TaskOptions& options, const ConfigFile& file)
-    : nearest_(options.number("nearest", 0.4, 0.1, 10)),
-      farthest_(std::max(nearest_, options.number("farthest", 10, 0.1, 12))),
-      fall_(options.number("fall", 8, 0, 100)),
+MoveToPosTask::MoveToPosTask(const MoveToPosOptions& options, const ConfigFile& file)
+    : nearest_(options.nearest),
+      farthest_(std::max(nearest_, options.farthest)),
+      fall_(options.fall),
       searched_(file.root().section("walk"), walkNumbers) {
-  options.check({"type", "nearest", "farthest", "fall"});
   if (file.root().has("plan"))
     readParameters(file.root().section("plan"), ApproachPlannerParameters::parameterList(), &plan_);
-  std::vector<std::string> types{"all"};
-  for (int i = 0; i < numSimsparkTypes(); ++i) types.push_back(std::to_string(i));
-  const std::string type = options.word("type", "all", types);
-  for (int i = 0; i < numSimsparkTypes(); ++i)
-    if (type == "all" || type == std::to_string(i)) robots_.push_back(std::make_unique<MotionTrial>(i));
+  std::string types = "all";
+  for (int i = 0; i < numSimsparkTypes(); ++i) {
+    types += ", " + std::to_string(i);
+    if (options.type == "all" || options.type == std::to_string(i))
+      robots_.push_back(std::make_unique<MotionTrial>(i));
+  }
+  if (robots_.empty())
+    throw ConfigurationError("option type: \"" + options.type + "\" is not one of " + types);
 }
 
 TaskOutcome MoveToPosTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
@@ -85,11 +88,6 @@ std::string MoveToPosTask::file(const Eigen::VectorXd& parameters, const std::st
   return commentLines(heading) + "walk:\n" + searched_.lines(parameters).text;
 }
 
-MAKE_TASK(moveToPos,
-          {"moveToPos",
-           "walking to a place without the ball, all types of robots: type, nearest, farthest, fall",
-           [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-             return std::make_unique<MoveToPosTask>(options);
-           }});
+MAKE_TASK(MoveToPosTask, "moveToPos", "walking to a place without the ball, all types of robots")
 
 }  // namespace plumbline::training

@@ -72,8 +72,7 @@ constexpr SearchedPath searchedNumbers[] = {{"walk.maxForward", 0.1},
 
 /// The option `searched`: the way from afar, the last metres with how exactly the robot stands, everything,
 /// or the kick's place.
-std::function<bool(const std::string&)> searchedPart(const TaskOptions& options) {
-  const std::string part = options.word("searched", "all", {"all", "far", "near", "place"});
+std::function<bool(const std::string&)> searchedPart(const std::string& part) {
   if (part == "all" || part == "place") return {};
   return [far = part == "far"](const std::string& path) {
     return far == (path.starts_with("walk.") || path.starts_with("approach."));
@@ -82,25 +81,25 @@ std::function<bool(const std::string&)> searchedPart(const TaskOptions& options)
 
 }  // namespace
 
-PositioningTask::PositioningTask(const TaskOptions& options)
-    : type_(robotTypeOf(options, {"motion", "start", "farthest", "metre", "fall", "searched"})),
-      worlds_(options, type_),
+PositioningTask::PositioningTask(const PositioningOptions& options)
+    : type_(options.world.type),
+      worlds_(options.world),
       ball_(worlds_.engine()),
-      start_(options.number("start", 1.5, 0.3, 10)),
-      farthest_(std::max(start_, options.number("farthest", start_, 0.3, 10))),
-      metre_(options.number("metre", 0.5, 0, 10)),
-      fall_(options.number("fall", 5, 0, 100)),
+      start_(options.start),
+      farthest_(std::max(start_, options.farthest)),
+      metre_(options.metre),
+      fall_(options.fall),
       searched_(ConfigFile("SkillGetBall", MotionTrial::directories(type_)).root().section("positioning"),
-                searchedNumbers, searchedPart(options)) {
+                searchedNumbers, searchedPart(options.searched)) {
   const MotionTrial& trial = worlds_.first();
-  const std::string name = options.word("motion", "");
+  const std::string& name = options.motion;
   for (const motion::KeyframeMotion& motion : trial.motions) {
     if (!motion.kick || (!name.empty() && motion.name != name)) continue;
     if (!kick_.kick || motion.kick->distance > kick_.kick->distance) kick_ = motion;
   }
   if (!kick_.kick) throw ConfigurationError("option motion: " + name + " is no kick of this robot");
   if (kick_.ball.y() > 0) kick_ = motion::mirrored(kick_);
-  if (options.word("searched", "all") == "place") place_.emplace(kick_);
+  if (options.searched == "place") place_.emplace(kick_);
 }
 
 /// The way to the ball and the kick, cycle by cycle, as the agent's modules do it.
@@ -212,11 +211,6 @@ std::string PositioningTask::file(const Eigen::VectorXd& parameters, const std::
          lines.text;
 }
 
-MAKE_TASK(positioning, {"positioning",
-                        "the way to the ball and the kick: type, motion, start, farthest, metre, fall, "
-                        "searched, engine, effects, draws, firstDraw",
-                        [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-                          return std::make_unique<PositioningTask>(options);
-                        }});
+MAKE_TASK(PositioningTask, "positioning", "the way to the ball and the kick")
 
 }  // namespace plumbline::training

@@ -14,6 +14,25 @@
 
 namespace plumbline::training {
 
+/// Options of the task positioning.
+struct PositioningOptions {
+  PARAMETERS(PositioningOptions)
+  PARAMETER(std::string, motion, "", "", Range(), "kick that is played; empty: the farthest of the robot")
+  PARAMETER_CHOICE(searched, "all",
+                   "which numbers: all, far (of the way from afar), near (of the last metres, and how "
+                   "exactly it stands), place (of the kick)",
+                   "all", "far", "near", "place")
+  PARAMETER(double, start, 1.5, "m", Range(0.3, 10), "distance of the robot from the ball at the start")
+  PARAMETER(double, farthest, 0.3, "m", Range(0.3, 10),
+            "starts are drawn from `start` up to this distance, if it is larger; the numbers of a sprint "
+            "matter from 2 m on")
+  PARAMETER(double, metre, 0.5, "s", Range(0, 10),
+            "worth of a metre that the ball comes less far along the wanted direction than the kick carries, "
+            "or goes aside")
+  PARAMETER(double, fall, 5, "s", Range(0, 100), "worth of a fall")
+  PARAMETER_GROUP(WorldOptions, world, "robot and worlds")
+};
+
 /// Kick positioning (Seekircher 2015, 3.1.2): the robot stands 1.5 m from the ball in any direction with any
 /// heading, walks there and kicks. Searched are numbers of BallPositioningParameters; the file is the type's
 /// SkillGetBall.yaml. Or searched are the kick's own place of the ball and its direction
@@ -24,14 +43,10 @@ namespace plumbline::training {
 /// `fall` seconds for a fall. To that come `metre` seconds for each metre that the ball comes less far along
 /// the wanted direction than the kick carries, or goes aside. Figures: time to the kick [s], distance along
 /// and aside [m], kicked, fell.
-///
-/// Options: type (0), motion (the farthest kick), distance of the start (1.5) [m], farthest (as start; starts
-/// are drawn up to it) [m], metre (0.5), fall (5), searched, and those of TrialWorlds. searched says which
-/// numbers: all, far (of the way from afar), near (of the last metres, and how exactly it stands), place (of
-/// the kick).
 class PositioningTask : public SearchTask {
 public:
-  explicit PositioningTask(const TaskOptions& options);
+  using Options = PositioningOptions;
+  explicit PositioningTask(const PositioningOptions& options);
 
   const std::vector<TaskParameter>& parameters() const override {
     return place_ ? place_->list() : searched_.parameters();

@@ -24,15 +24,6 @@ void standUpAfterRoll(motion::MotionTrial& trial, const motion::KeyframeMotion& 
 
 }  // namespace
 
-int fallDirection(const TaskOptions& options) {
-  const std::string name = options.word("direction", "front", {"front", "back", "side"});
-  return name == "front" ? 1 : name == "back" ? -1 : 0;
-}
-
-bool fallsInPlay(const TaskOptions& options) {
-  return options.word("start", "rest", {"rest", "fall"}) == "fall";
-}
-
 bool liesAs(const motion::MotionTrial& trial, int direction) {
   const motion::LyingOn wanted = direction > 0   ? motion::LyingOn::front
                                  : direction < 0 ? motion::LyingOn::back
@@ -40,15 +31,15 @@ bool liesAs(const motion::MotionTrial& trial, int direction) {
   return motion::lyingOn(trial.up()) == wanted;
 }
 
-StandUpTask::StandUpTask(const TaskOptions& options)
-    : direction_(fallDirection(options)),
-      weight_(options.number("weight", 0.08, 0, 100)),
-      still_(options.number("still", 0, 0, 1)),
-      moving_(fallsInPlay(options)),
-      worlds_(options, robotTypeOf(options, {"direction", "weight", "motion", "start", "still"})) {
+StandUpTask::StandUpTask(const StandUpOptions& options)
+    : direction_(options.side()),
+      weight_(options.weight),
+      still_(options.still),
+      moving_(options.inPlay()),
+      worlds_(options.world) {
   const std::string usual = direction_ > 0 ? "standUpFront" : direction_ < 0 ? "standUpBack" : "rollOver";
   try {
-    first_ = worlds_.first().motion(options.word("motion", usual));
+    first_ = worlds_.first().motion(options.motion.empty() ? usual : options.motion);
   } catch (const std::out_of_range& error) {
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
@@ -109,13 +100,6 @@ std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::stri
                             heading);
 }
 
-MAKE_TASK(
-    standUp,
-    {"standUp",
-     "standing up from front, back or side: type, direction, weight, motion, start, still, engine, effects "
-     "(a file), draws, firstDraw",
-     [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-       return std::make_unique<StandUpTask>(options);
-     }});
+MAKE_TASK(StandUpTask, "standUp", "standing up from front, back or side")
 
 }  // namespace plumbline::training

@@ -8,11 +8,29 @@
 
 namespace plumbline::training {
 
-/// The option direction of a stand-up as MotionTrial::fall has it: front (1), back (-1) or side (0).
-int fallDirection(const TaskOptions& options);
+/// Options of the task standUp.
+struct StandUpOptions {
+  PARAMETERS(StandUpOptions)
+  PARAMETER_CHOICE(direction, "front",
+                   "what the robot lies on; from the side the motion rolls it, three times at most while it "
+                   "stays on its side, and then it stands up as the agent does",
+                   "front", "back", "side")
+  PARAMETER(std::string, motion, "", "", Range(),
+            "motion to begin with; empty: the one that the agent has for the direction")
+  PARAMETER_CHOICE(start, "rest",
+                   "rest: the robot lies still, as in the thesis; fall: it still moves as in play, and in "
+                   "half of the runs it was pushed while it walked",
+                   "rest", "fall")
+  PARAMETER(double, weight, 0.08, "1/ms", Range(0, 100), "worth of a millisecond of the motion")
+  PARAMETER(double, still, 0, "", Range(0, 1),
+            "share of the runs in which the robot stands for two seconds instead of walking; with 0, a found "
+            "motion may need the walk's steps to stay upright")
+  PARAMETER_GROUP(WorldOptions, world, "robot and worlds")
 
-/// The option start of a stand-up is fall: the motion begins as in play.
-bool fallsInPlay(const TaskOptions& options);
+  /// As MotionTrial::fall has it: front (1), back (-1) or side (0).
+  int side() const { return direction == "front" ? 1 : direction == "back" ? -1 : 0; }
+  bool inPlay() const { return start == "fall"; }
+};
 
 /// The robot lies on its front (1), back (-1) or a side (0).
 bool liesAs(const motion::MotionTrial& trial, int direction);
@@ -22,21 +40,11 @@ bool liesAs(const motion::MotionTrial& trial, int direction);
 /// some direction for two seconds. The cost is formula 3.1 with the opposite sign: angles between torso and
 /// upright [rad], summed over the walk's cycles, plus the motion's time [ms] times `weight` (0.08). Figures:
 /// time [ms] of the motion, error (the sum), up (1 if the torso leans by less than 30 degrees in the end).
-///
-/// Options: type 0 .., direction front, back or side, weight, motion (name of the first file), start, still,
-/// and those of TrialWorlds.
-///
-/// direction: from the side the motion rolls the robot, three times at most while it stays on its side, and
-/// then it stands up as the agent does; the time is of all.
-///
-/// start: with rest it lies still, as in the thesis. With fall the motion begins as in play, where the robot
-/// still moves; half of the falls are those of a robot that is pushed while it walks.
-///
-/// still (0): the share of the runs in which the robot stands for that time instead of walking. With 0, a
-/// found motion may need the walk's steps to stay upright, and falls if the robot has to stand.
+/// From the side the time is of all motions.
 class StandUpTask : public SearchTask {
 public:
-  explicit StandUpTask(const TaskOptions& options);
+  using Options = StandUpOptions;
+  explicit StandUpTask(const StandUpOptions& options);
 
   const std::vector<TaskParameter>& parameters() const override { return parameters_->list(); }
   TaskOutcome run(const Eigen::VectorXd& parameters, std::uint64_t seed) override;

@@ -21,12 +21,16 @@ std::vector<simulation::EffectSetting> drawn(const std::vector<simulation::Effec
 
 }  // namespace
 
-const std::vector<std::string> TrialWorlds::options = {"engine", "effects", "draws", "firstDraw"};
+int checkedType(int type) {
+  if (type >= numSimsparkTypes())
+    throw ConfigurationError("option type: there is no robot of type " + std::to_string(type) +
+                             "; there are types 0 to " + std::to_string(numSimsparkTypes() - 1));
+  return type;
+}
 
-TrialWorlds::TrialWorlds(const TaskOptions& options, int type) : engine_(options.word("engine", "ode")) {
-  const int draws = static_cast<int>(options.number("draws", 0, 0, 64));
-  const int first = static_cast<int>(options.number("firstDraw", 0, 0, 1e6));
-  const std::string file = options.word("effects", "");
+TrialWorlds::TrialWorlds(const WorldOptions& options) : engine_(options.engine) {
+  const int draws = options.draws, first = options.firstDraw, type = checkedType(options.type);
+  const std::string& file = options.effects;
   if (draws > 0 && file.empty())
     throw ConfigurationError("option draws: of what? give the file of effects too (option effects)");
   simulation::WorldConfig world;
@@ -41,13 +45,6 @@ TrialWorlds::TrialWorlds(const TaskOptions& options, int type) : engine_(options
   } catch (const std::invalid_argument& error) {  // an engine that there is not
     throw ConfigurationError(std::string("option engine: ") + error.what());
   }
-}
-
-int robotTypeOf(const TaskOptions& options, std::vector<std::string> own) {
-  own.insert(own.begin(), "type");
-  own.insert(own.end(), TrialWorlds::options.begin(), TrialWorlds::options.end());
-  options.check(own);
-  return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
 }
 
 }  // namespace plumbline::training

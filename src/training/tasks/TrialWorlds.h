@@ -4,23 +4,37 @@
 #include <string>
 #include <vector>
 
+#include "simspark/LeagueRobots.h"
 #include "training/MotionTrial.h"
-#include "training/SearchTask.h"
+#include "training/TaskOptions.h"
 
 namespace plumbline::training {
 
-/// The worlds that the runs of a task take place in, and the options that say so: engine (of the physics,
-/// "ode"), effects (a file, doc/reference/effects-file.md), draws (0), firstDraw (0). Without draws there is
-/// one world, which has all the effects. With N draws there are N, and a run's seed says which. The first is
-/// the nominal one; each other one has each effect of the file with a chance of one half, always the same
-/// ones. firstDraw begins with a later draw than the nominal one, for worlds that no search has seen. What is
-/// good in all of them leans on none of them (domain randomisation: Tobin et al. 2017).
+/// Options of all tasks that play motions.
+struct WorldOptions {
+  PARAMETERS(WorldOptions)
+  PARAMETER(int, type, 0, "", Range(0, mostSimsparkTypes - 1), "the league's type of robot")
+  PARAMETER(std::string, engine, "ode", "", Range(), "physics engine: ode (the league's) or bullet")
+  PARAMETER(std::string, effects, "", "", Range(),
+            "file of effects that the worlds have, or an answer of bin/gap diagnose "
+            "(doc/reference/effects-file.md)")
+  PARAMETER(int, draws, 0, "", Range(0, 64),
+            "number of worlds, each with other effects of the file; 0: one with all of them")
+  PARAMETER(int, firstDraw, 0, "", Range(0, 1e6),
+            "draw to begin with; 1 and later ones are worlds that a search without this option has not seen")
+};
+
+/// Throws ConfigurationError if there is no robot of that type.
+int checkedType(int type);
+
+/// The worlds that the runs of a task take place in. Without draws there is one world, which has all the
+/// effects. With N draws there are N, and a run's seed says which. The first is the nominal one; each other
+/// one has each effect of the file with a chance of one half, always the same ones. What is good in all of
+/// them leans on none of them (domain randomisation: Tobin et al. 2017).
 class TrialWorlds {
 public:
-  static const std::vector<std::string> options;  ///< their names
-
   /// Throws ConfigurationError for options that cannot be used.
-  TrialWorlds(const TaskOptions& options, int type);
+  explicit TrialWorlds(const WorldOptions& options);
 
   /// Of the run with this seed.
   motion::MotionTrial& of(std::uint64_t seed) { return *all_[static_cast<std::size_t>(seed % all_.size())]; }
@@ -32,9 +46,5 @@ private:
   std::string engine_;
   std::vector<std::unique_ptr<motion::MotionTrial>> all_;
 };
-
-/// The robot type (option type) of a task of motions that takes `own` options besides it and those of
-/// TrialWorlds; throws ConfigurationError for any other.
-int robotTypeOf(const TaskOptions& options, std::vector<std::string> own);
 
 }  // namespace plumbline::training

@@ -1,27 +1,26 @@
 #include "training/tasks/WalkTask.h"
 
+#include <fmt/ranges.h>
+
 #include <algorithm>
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
 #include "framework/StopSignal.h"
-#include "simspark/LeagueRobots.h"
 #include "training/WalkingRobot.h"
+#include "training/tasks/TrialWorlds.h"
 
 namespace plumbline::training {
 namespace {
 
 constexpr double firstSigma = 0.5;  ///< of the first candidates, in first steps of the variables
-const std::vector<std::string> directions{walking::taskNames.begin(), walking::taskNames.end()};
 
-int walkType(const TaskOptions& options) {
-  options.check({"type", "direction", "seconds", "push", "engine", "effects"});
-  return static_cast<int>(options.number("type", 0, 0, numSimsparkTypes() - 1));
-}
-
-walking::Task directionOf(const TaskOptions& options) {
-  const std::string word = options.word("direction", directions[0], directions);
-  return static_cast<walking::Task>(std::ranges::find(directions, word) - directions.begin());
+walking::Task directionOf(const std::string& name) {
+  const auto found = std::ranges::find(walking::taskNames, name);
+  if (found == walking::taskNames.end())
+    throw ConfigurationError(
+        fmt::format("option direction: \"{}\" is not one of {}", name, fmt::join(walking::taskNames, ", ")));
+  return static_cast<walking::Task>(found - walking::taskNames.begin());
 }
 
 /// "forward_step_height": without dots, which in a file would be maps within maps.
@@ -33,12 +32,12 @@ std::string nameOf(const walking::Variable& variable) {
 
 }  // namespace
 
-WalkTask::WalkTask(const TaskOptions& options)
-    : task_(directionOf(options)), variables_(walking::variablesOf(task_)) {
-  const int type = walkType(options);
+WalkTask::WalkTask(const WalkOptions& options)
+    : task_(directionOf(options.direction)), variables_(walking::variablesOf(task_)) {
+  const int type = checkedType(options.type);
   trial_.tries = 1;
-  trial_.seconds = options.number("seconds", trial_.seconds, 2, 600);
-  trial_.push = options.number("push", trial_.push, 0, 3);
+  trial_.seconds = options.seconds;
+  trial_.push = options.push;
   first_ = walking::readWalkGaits(type);
   for (const walking::Variable& variable : variables_) {
     const double start = walking::valueOf(first_, variable), step = variable.step;
@@ -48,9 +47,8 @@ WalkTask::WalkTask(const TaskOptions& options)
          std::max(start + 0.1 * step, variable.parameter->declared->range.max), firstSigma * step});
   }
   simulation::WorldConfig world;
-  world.engine = options.word("engine", "ode");
-  if (const std::string effects = options.word("effects", ""); !effects.empty())
-    world.effects = simulation::readEffects(effects);
+  world.engine = options.engine;
+  if (!options.effects.empty()) world.effects = simulation::readEffects(options.effects);
   try {
     robot_ = std::make_unique<walking::WalkingRobot>(type, first_, world);
   } catch (const std::invalid_argument& error) {  // an engine that there is not
@@ -89,9 +87,6 @@ std::string WalkTask::file(const Eigen::VectorXd& parameters, const std::string&
   return walking::walkFile(gaits(parameters), walking::plainWalk().base, line);
 }
 
-MAKE_TASK(walk, {"walk", "a walk at full speed: type, direction, seconds, push, engine, effects (a file)",
-                 [](const TaskOptions& options) -> std::unique_ptr<SearchTask> {
-                   return std::make_unique<WalkTask>(options);
-                 }});
+MAKE_TASK(WalkTask, "walk", "a walk at full speed")
 
 }  // namespace plumbline::training

@@ -4,20 +4,33 @@
 #include <string>
 #include <vector>
 
+#include "simspark/LeagueRobots.h"
 #include "training/SearchTask.h"
 #include "training/WalkTraining.h"
 
 namespace plumbline::training {
 
+/// Options of the task walk.
+struct WalkOptions {
+  PARAMETERS(WalkOptions)
+  PARAMETER(int, type, 0, "", Range(0, mostSimsparkTypes - 1), "the league's type of robot")
+  PARAMETER(std::string, direction, std::string(walking::taskNames[0]), "", Range(),
+            "forward, backward, sideways, turn, mixture (any requests) or push")
+  PARAMETER(double, seconds, walking::TrialSetup().seconds, "s", Range(2, 600), "length of a try")
+  PARAMETER(double, push, walking::TrialSetup().push, "m/s", Range(0, 3), "largest speed of a push")
+  PARAMETER(std::string, engine, "ode", "", Range(), "physics engine")
+  PARAMETER(std::string, effects, "", "", Range(),
+            "file of effects that the world has (doc/reference/effects-file.md)")
+};
+
 /// The walk of a robot type in one direction at full speed, any mixture of requests, or under pushes: what
 /// bin/optimizewalk searches on one machine, as a task of the server. A run is one try, its cost
 /// walking::cost. The file is the type's walking.yaml.
 /// Figures: speed, falls, drift (TrialResult).
-/// Options: type 0 .., direction (one of walking::taskNames), seconds of a try (6), push (0.1) [m/s], engine,
-/// effects (a file).
 class WalkTask : public SearchTask {
 public:
-  explicit WalkTask(const TaskOptions& options);
+  using Options = WalkOptions;
+  explicit WalkTask(const WalkOptions& options);
   ~WalkTask() override;
 
   const std::vector<TaskParameter>& parameters() const override { return parameters_; }

@@ -51,8 +51,9 @@ TEST_F(SearchMemoryTest, aFileThatCannotBeWrittenIsReportedOnceAndStopsNothing) 
                       [&](const std::string& problem) { problems.push_back(problem); });
   memory.keep({}, {});
   memory.keep({}, {});
-  EXPECT_EQ(problems,
-            std::vector<std::string>{"cannot write /proc/none/searches: No such file or directory"});
+  EXPECT_EQ(problems, std::vector<std::string>{
+                          "cannot write /proc/none/searches: No such file or directory; a diagnosis "
+                          "that is stopped from now on repeats what follows"});
   EXPECT_EQ(memory.size(), 0u);
 }
 

@@ -94,6 +94,43 @@ TEST(Likelihood, correlationTimeOfAnAutoregressiveSeriesIsItsFormula) {
   EXPECT_NEAR(correlationTime(values), 9, 1.5);
 }
 
+TEST(Likelihood, sumsAreThoseOfOneValueAfterTheOther) {
+  // Answers hang on the last bit.
+  for (const std::size_t n : {5, 18, 19, 401}) {
+    std::vector<double> values = gaussians(n, 1);
+    for (std::size_t k = 1; k < n; ++k) values[k] += 0.9 * values[k - 1];
+    const std::vector<double> x = split(values).about;
+    const auto covariance = [&](std::size_t lag) {
+      double sum = 0;
+      for (std::size_t k = lag; k < n; ++k) sum += x[k] * x[k - lag];
+      return sum;
+    };
+    double times = 0;
+    for (std::size_t lag = 1; lag + 1 < n / 2; lag += 2) {
+      const double pair = (covariance(lag) + covariance(lag + 1)) / covariance(0);
+      if (pair <= 0) break;
+      times += pair;
+    }
+    EXPECT_EQ(correlationTime(values), std::max(1.0, 1 + 2 * times)) << n;
+
+    values[n / 2] = std::nan("");
+    double square = 0, count = 0;
+    for (const double r : values)
+      if (std::isfinite(r)) square += r * r, ++count;
+    square /= count;
+    for (int round = 0; round < 60; ++round) {
+      double sum = 0;
+      for (const double r : values)
+        if (std::isfinite(r)) sum += r * r / (tailFreedom + r * r / square);
+      const double next = (tailFreedom + 1) * sum / count;
+      const bool done = std::abs(next - square) <= 1e-4 * square;
+      square = next;
+      if (done) break;
+    }
+    EXPECT_EQ(likeliestScale(values, 0), std::sqrt(square)) << n;
+  }
+}
+
 TEST(Likelihood, aScaleAtTheNoiseIsKnownAndBeyondItCountsByItsShareOfTheVariance) {
   EXPECT_DOUBLE_EQ(timeOfScale(9, 0.1, 0.1), 1);
   EXPECT_DOUBLE_EQ(timeOfScale(9, 0.2, 0.1), 7);  // three quarters of the variance are beyond the noise

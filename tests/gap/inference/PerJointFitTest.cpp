@@ -101,12 +101,12 @@ TEST(AllJointFit, saysHowMuchMoreAllValuesClose) {
     return left;
   };
   const std::vector<Explanation> nothing(trials.size());
-  const AllJointFit further = fitOfAllJoints(arm, trials, {}, nothing, leftBy({}), 1);
+  const AllJointFit further = fitOfAllJoints(arm, trials, {}, nothing, leftBy({}), {});
   EXPECT_EQ(further.parameters, 22);
   EXPECT_EQ(further.leftOut.size(), 3);
   EXPECT_GT(further.closed, 0.85);
   EXPECT_GT(further.claim.closed, 0.7);
-  EXPECT_LT(fitOfAllJoints(arm, trials, {}, nothing, leftBy(frictionOfBoth()), 1).closed, 0.02);
+  EXPECT_LT(fitOfAllJoints(arm, trials, {}, nothing, leftBy(frictionOfBoth()), {}).closed, 0.02);
   // What it fitted to all closes as much of another motion.
   Trial other = armTrial(arm, 4, 0.3);
   other = recorded(plantOf(arm, frictionOfBoth()), other, readingNoise, 9);
@@ -127,7 +127,7 @@ TEST(AllJointFit, isSaidWhereItIsWorthIt) {
 TEST(AllJointFit, ofARobotOnItsFeetNothingIsSaid) {
   std::vector<Trial> trials = threeMotions({});
   trials[1].freeBase = true;
-  EXPECT_EQ(fitOfAllJoints(twoJointArm(), trials, {}, {}, {}, 1).parameters, 0);
+  EXPECT_EQ(fitOfAllJoints(twoJointArm(), trials, {}, {}, {}, {}).parameters, 0);
 }
 
 }  // namespace plumbline::gap

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "../ThreeRecordings.h"
 
@@ -36,6 +37,24 @@ TEST(CosineCoefficients, keepTheNormAndTheMean) {
   ASSERT_EQ(few.size(), 4);
   EXPECT_NEAR(few[0], 9, 1e-9);  // sqrt(9) times 3
   EXPECT_NEAR(few.tail(3).norm(), 0, 1e-9);
+}
+
+TEST(CosineCoefficients, areSumsInTheOrderOfTheSamples) {
+  // Answers hang on the last bit.
+  std::vector<double> values;
+  for (int k = 0; k < 40; ++k) values.push_back(std::sin(0.7 * k * k));
+  const ResidualSeries series(values);
+  for (const std::size_t count : {1, 2, 5, 12, 15}) {
+    const Eigen::VectorXd all = CosineBasis(30, count).coefficients(series, 7);
+    ASSERT_EQ(all.size(), static_cast<Eigen::Index>(count));
+    for (std::size_t j = 0; j < count; ++j) {
+      double sum = 0;
+      for (std::size_t k = 0; k < 30; ++k)
+        sum += values[7 + k] *
+               std::cos(std::numbers::pi * static_cast<double>(j) * (static_cast<double>(k) + 0.5) / 30);
+      EXPECT_EQ(all[static_cast<Eigen::Index>(j)], sum * std::sqrt((j == 0 ? 1.0 : 2.0) / 30)) << j;
+    }
+  }
 }
 
 TEST(WindowReplayer, theTruthLeavesWhiteCoefficientsAndAnotherModelLarger) {

@@ -31,6 +31,19 @@ TEST_F(PlaybackTest, readingsFallDueOncePerSignalAndCycle) {
   EXPECT_EQ(next, std::vector<std::size_t>(2, trial.cycles()));
 }
 
+TEST_F(PlaybackTest, aStepSpansNoCyclesWhoseCommandIsAskedFor) {
+  ReplayOptions options;
+  options.step = 0.025;  // cycles are 10 ms
+  const Playback positions(plant, trial, options);
+  EXPECT_EQ(positions.lastInStep(0), 1u);
+  EXPECT_EQ(positions.lastInStep(trial.cycles() - 3), trial.cycles() - 2);
+  EXPECT_EQ(positions.lastInStep(trial.cycles() - 1), trial.cycles() - 1);
+  EXPECT_EQ(Playback(plant, trial, {}).lastInStep(0), 0u);
+  Trial withTorque = trial;
+  withTorque.signals[1].kind = SignalKind::torque;
+  EXPECT_EQ(Playback(plant, withTorque, options).lastInStep(0), 0u);
+}
+
 TEST_F(PlaybackTest, aCopyGoesOnByItself) {
   Playback one(plant, trial, {});
   one.settle();

@@ -29,6 +29,71 @@ TEST(ReplayTest, stepsOfSecondOrder) {
   EXPECT_GT(coarse / fine, 3.5);
 }
 
+/// The same motion as a log of so many cycles a second.
+Trial loggedAt(double rate, const Trial& trial) {
+  Trial log = trial;
+  const double end = trial.time.back();
+  log.time.clear();
+  for (int k = 0; k / rate < end; ++k) log.time.push_back(k / rate);
+  const auto sampled = [&](const std::vector<double>& values) {
+    std::vector<double> at;
+    for (const double t : log.time) {
+      const auto k = static_cast<std::size_t>(t / 0.01);
+      at.push_back(values[k] + (values[k + 1] - values[k]) * (t / 0.01 - static_cast<double>(k)));
+    }
+    return at;
+  };
+  for (std::vector<double>& command : log.command) command = sampled(command);
+  for (Signal& signal : log.signals) signal.values = sampled(signal.values);
+  return log;
+}
+
+TEST(ReplayTest, aStepSpansTheCyclesOfALogThatIsFaster) {
+  const Mechanism arm = twoJointArm();
+  const Trial trial = loggedAt(1000, armTrial(arm, 3, 0.2));
+  Plant plant = nominalPlant(arm);
+  plant.joints[0].coulomb = 0.05;
+  plant.joints[1].commandDelay = 0.0035;
+  const auto at = [&](double step) {
+    ReplayOptions options;
+    options.step = step;
+    return replay(plant, trial, options).values;
+  };
+  const auto exact = at(0.0002), each = at(0.001), two = at(0.002);
+  EXPECT_NE(two, each);
+  for (std::size_t s = 0; s < 2; ++s) {
+    for (const double value : two[s]) ASSERT_TRUE(std::isfinite(value));
+    EXPECT_LT(largest(two[s], exact[s]), 1e-3);
+  }
+  // Steps of one cycle where they are as long, or where the log is slower.
+  EXPECT_EQ(at(0.0015), each);
+}
+
+TEST(ReplayTest, longStepsNeedNotEndWithCycles) {
+  const Mechanism arm = twoJointArm();
+  const Trial trial = loggedAt(200, armTrial(arm, 3, 0.2));
+  const Plant plant = nominalPlant(arm);
+  ReplayOptions within = withLongSteps();
+  within.acrossCycles = false;
+  ReplayOptions fine;
+  fine.step = 0.0002;
+  const auto exact = replay(plant, trial, fine).values, across = replay(plant, trial, withLongSteps()).values,
+             shorter = replay(plant, trial, within).values;
+  for (std::size_t s = 0; s < 2; ++s) {
+    for (const double value : across[s]) ASSERT_TRUE(std::isfinite(value));
+    EXPECT_LT(largest(across[s], exact[s]), 4e-3);
+    EXPECT_NE(across[s], shorter[s]);
+  }
+  // Where the body is read, and where efforts are, steps end with each cycle.
+  Trial other = trial;
+  other.signals[1].kind = SignalKind::torque;
+  EXPECT_EQ(replay(plant, other, withLongSteps()).values[0], replay(plant, other, within).values[0]);
+  other = trial;
+  other.signals[1].joint = -1;
+  other.signals[1].kind = SignalKind::gyro;
+  EXPECT_EQ(replay(plant, other, withLongSteps()).values[0], replay(plant, other, within).values[0]);
+}
+
 TEST(ReplayTest, aTorqueOfAngleAndSpeedActsOnTheLink) {
   const Mechanism arm = twoJointArm();
   const Trial trial = armTrial(arm, 3);

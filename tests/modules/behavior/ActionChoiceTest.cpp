@@ -2,7 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "support/Situation.h"
+#include "support/Robots.h"
+#include "support/SituationHarness.h"
 
 using namespace plumbline;
 
@@ -238,62 +239,33 @@ TEST_F(ActionChoiceTest, theFallenDoNotPress) {
   EXPECT_GT(all.nearestOpponent(situation.ball), 14);
 }
 
-/// A file with positions and the decision that people expect (tests/data/situations). `going`: of each mate,
-/// the place that it goes to and its heading; `velocities`: of each mate.
-class SituationTest : public testing::TestWithParam<const char*> {};
-
-void addMotion(const ConfigSection& root, StrikerSituation& situation) {
-  if (root.has("going"))
-    for (const auto& going : root.get<std::vector<std::array<double, 3>>>("going")) {
-      PlacedPlayer& player = situation.places.players.emplace_back();
-      player.number = situation.others.at(situation.places.players.size() - 1).number;
-      player.heading = going[2];
-      player.placed = true;
-      player.place = Pose2(going[0], going[1], 0);
-    }
-  if (root.has("velocities")) {
-    std::size_t i = 0;
-    for (const auto& velocity : root.get<std::vector<std::array<double, 2>>>("velocities"))
-      situation.others.at(i++).velocity = {velocity[0], velocity[1]};
-  }
-}
+/// A file with positions and the decision that people expect (tests/data/situations/striker).
+class SituationTest : public testing::TestWithParam<std::string> {};
 
 TEST_P(SituationTest, isDecidedAsExpected) {
-  const ConfigFile file = test::situationFile(GetParam());
-  const ConfigSection& root = file.root();
+  const test::WrittenSituation<StrikerExpected> written("striker", GetParam());
   StrikerSituation situation;
-  situation.robot = test::poseOf(root, "robot");
-  situation.ball = root.get<Vec2>("ball");
-  situation.others = test::othersOf(root);
-  addMotion(root, situation);
-  for (const ConfigSection& kick : root.list("kicks"))
-    situation.kicks.push_back({.distance = kick.get<double>("reach"),
-                               .scatter = fromDegrees(kick.get<double>("scatter")),
-                               .spread = kick.get<double>("spread"),
-                               .rise = kick.get<double>("rise")});
-  const ConfigSection expected = root.section("expected");
-  const std::size_t action = expected.choice("action", {"any", "kick", "dribble"});
-  const Vec2 direction = expected.get<Vec2>("direction", {-pi, pi});
-  const Vec2 reach = expected.find<Vec2>("reach").value_or(Vec2(0, 100));
+  situation.robot = written->robot;
+  situation.ball = written->ball;
+  situation.others = written->others;
+  situation.places.players = written->going;
+  situation.kicks = written->kicks;
+  const StrikerExpected& expected = written.expected();
+  const Vec2 reach = expected.reach.value_or(Vec2(0, 100));
 
   const ConfigFile table("config/field_value.yaml");
   const StrikerAction chosen =
       chooseAction(situation, {}, FieldValue(table.root()), TimeToBallParameters(), ActionChoiceParameters());
-  if (action != 0) {
-    EXPECT_EQ(chosen.kind, action == 1 ? Kind::kick : Kind::dribble);
+  if (expected.action != StrikerExpected::Action::any) {
+    EXPECT_EQ(chosen.kind, expected.action == StrikerExpected::Action::kick ? Kind::kick : Kind::dribble);
   }
   EXPECT_GE(chosen.reach, reach[0]) << "value " << chosen.value;
   EXPECT_LE(chosen.reach, reach[1]) << "value " << chosen.value;
-  EXPECT_GE(chosen.direction, direction[0]) << "value " << chosen.value;
-  EXPECT_LE(chosen.direction, direction[1]) << "value " << chosen.value;
+  EXPECT_GE(chosen.direction, expected.direction[0]) << "value " << chosen.value;
+  EXPECT_LE(chosen.direction, expected.direction[1]) << "value " << chosen.value;
 }
 
-INSTANTIATE_TEST_SUITE_P(Written, SituationTest,
-                         testing::Values("beforeTheEmptyGoal", "freeInMidfield", "highKickBeforeTheGoal",
-                                         "keeperAtThePost", "keeperInTheMiddle", "mateThatIsSeenWalking",
-                                         "mateThatRunsLeft", "mateThatRunsRight", "nearTheSideLine",
-                                         "onTheOwnGoalLine", "opponentAtTheBall", "tooFarToShoot",
-                                         "wrongSideUnderPressure"),
-                         [](const auto& name) { return std::string(name.param); });
+INSTANTIATE_TEST_SUITE_P(Written, SituationTest, testing::ValuesIn(test::situationNames("striker")),
+                         test::situationName);
 
 }  // namespace

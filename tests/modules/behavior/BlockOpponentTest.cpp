@@ -3,7 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "support/ModuleHarness.h"
-#include "support/Situation.h"
+#include "support/Robots.h"
+#include "support/SituationHarness.h"
 
 using namespace plumbline;
 
@@ -78,26 +79,22 @@ TEST_F(BlockOpponentTest, withoutABallThereIsNobodyToBlock) {
 }
 
 /// A file with positions and whom people expect to be blocked, from where (tests/data/situations/block).
-struct BlockSituations : BlockOpponentTest, testing::WithParamInterface<const char*> {};
+struct BlockSituations : BlockOpponentTest, testing::WithParamInterface<std::string> {};
 
 TEST_P(BlockSituations, areDecidedAsExpected) {
-  const ConfigFile file = test::situationFile(std::string("block/") + GetParam());
-  const ConfigSection& root = file.root();
-  harness.input<BallPos>().field = root.get<Vec2>("ball");
-  harness.input<OtherRobots>().robots = test::othersOf(root);
-  if (const auto kicks = root.find<double>("kickDistance")) harness.input<OppInfo>().kickDistance = *kicks;
+  const test::WrittenSituation<BlockExpected> written("block", GetParam());
+  harness.input<BallPos>().field = written->ball;
+  harness.input<OtherRobots>().robots = written->others;
+  if (written->opponentKick) harness.input<OppInfo>().kickDistance = *written->opponentKick;
   const BlockPosition& block = output();
-  const ConfigSection expected = root.section("expected");
-  const int opponent = expected.get<int>("opponent");
-  ASSERT_EQ(block.valid ? block.opponent : 0, opponent);
-  if (opponent == 0) return;
-  EXPECT_LT((block.position - expected.get<Vec2>("place")).norm(), expected.get<double>("within"))
+  const BlockExpected& expected = written.expected();
+  ASSERT_EQ(block.valid ? block.opponent : 0, expected.opponent);
+  if (expected.opponent == 0) return;
+  EXPECT_LT((block.position - expected.place).norm(), expected.within)
       << "it is blocked at " << block.position.transpose();
 }
 
-INSTANTIATE_TEST_SUITE_P(Written, BlockSituations,
-                         testing::Values("attack", "behindTheStriker", "inReachOfFarKicks", "mostDangerous",
-                                         "onlyAtTheBall"),
-                         [](const auto& name) { return std::string(name.param); });
+INSTANTIATE_TEST_SUITE_P(Written, BlockSituations, testing::ValuesIn(test::situationNames("block")),
+                         test::situationName);
 
 }  // namespace

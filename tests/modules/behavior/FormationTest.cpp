@@ -6,7 +6,7 @@
 
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
-#include "support/Situation.h"
+#include "support/SituationHarness.h"
 
 using namespace plumbline;
 
@@ -256,38 +256,34 @@ TEST_F(FormationTest, saysWhereMatesLookAndGo) {
 
 /// A file with what players have said, and the role and place that people expect of one of them
 /// (tests/data/situations/formation).
-struct FormationSituations : FormationTest, testing::WithParamInterface<const char*> {};
+struct FormationSituations : FormationTest, testing::WithParamInterface<std::string> {};
 
 TEST_P(FormationSituations, areDecidedAsExpected) {
-  const ConfigFile file = test::situationFile(std::string("formation/") + GetParam());
-  const ConfigSection& root = file.root();
-  const int player = root.get<int>("player");
-  harness.input<PlayerInfo>().number = player;
-  harness.input<GameState>().playMode = test::modeOf(root);
-  for (const auto& said : root.get<std::vector<std::array<double, 5>>>("team")) {
-    const Pose2 pose(said[1], said[2], said[3]);
-    harness.input<TeamRobotPose>().reports.push_back(reportOf(static_cast<int>(said[0]), pose, said[4]));
-    if (static_cast<int>(said[0]) == player) harness.input<RobotPose>().pose = pose;
-  }
-  harness.input<OtherRobots>().robots = test::othersOf(root);
-  ballAt(root.get<Vec2>("ball"));
+  const test::WrittenSituation<FormationExpected> written("formation", GetParam());
+  harness.input<PlayerInfo>().number = written->player;
+  harness.input<GameState>().playMode = written->mode;
+  for (const SaidPlace& said : written->team)
+    harness.input<TeamRobotPose>().reports.push_back(reportOf(said.number, said.pose, said.timeToBall));
+  harness.input<RobotPose>().pose = written->robot;
+  harness.input<OtherRobots>().robots = written->others;
+  ballAt(written->ball);
   const PlayerRole& is = role();
-  const ConfigSection expected = root.section("expected");
-  EXPECT_EQ(is.strikerNumber, expected.get<int>("striker"));
-  const std::size_t as = expected.choice("role", {"goalie", "striker", "supporter"});
-  EXPECT_EQ(is.supports() ? 2u : is.role == PlayerRole::striker ? 1u : 0u, as);
-  if (!expected.has("area")) return;
-  const auto area = expected.get<std::array<double, 4>>("area");
+  const FormationExpected& expected = written.expected();
+  using Role = FormationExpected::Role;
+  EXPECT_EQ(is.strikerNumber, expected.striker);
+  EXPECT_EQ(is.supports()                    ? Role::supporter
+            : is.role == PlayerRole::striker ? Role::striker
+                                             : Role::goalie,
+            expected.role);
+  if (!expected.area) return;
+  const auto& area = *expected.area;
   EXPECT_GE(is.place.x(), area[0]);
   EXPECT_LE(is.place.x(), area[1]);
   EXPECT_GE(is.place.y(), area[2]);
   EXPECT_LE(is.place.y(), area[3]);
 }
 
-INSTANTIATE_TEST_SUITE_P(Written, FormationSituations,
-                         testing::Values("firstAtTheBall", "goalieLeavesForABallAtTheGoal",
-                                         "goalieStaysForABallInMidfield", "ownKickOff", "theFallenDoNotLead",
-                                         "theirKickOff"),
-                         [](const auto& name) { return std::string(name.param); });
+INSTANTIATE_TEST_SUITE_P(Written, FormationSituations, testing::ValuesIn(test::situationNames("formation")),
+                         test::situationName);
 
 }  // namespace

@@ -2,8 +2,8 @@
 
 #include <gtest/gtest.h>
 
-#include "framework/ConfigFile.h"
 #include "support/ModuleHarness.h"
+#include "support/SituationHarness.h"
 
 using namespace plumbline;
 
@@ -132,27 +132,23 @@ TEST_F(GoalieTest, waitsInTheGoalWhileNobodyKnowsTheBall) {
 }
 
 /// A file with positions and where people expect the keeper to go (tests/data/situations/goalie).
-struct GoalieSituations : GoalieTest, testing::WithParamInterface<const char*> {};
+struct GoalieSituations : GoalieTest, testing::WithParamInterface<std::string> {};
 
 TEST_P(GoalieSituations, areDecidedAsExpected) {
-  const ConfigFile file(std::string("tests/data/situations/goalie/") + GetParam() + ".yaml");
-  const ConfigSection& root = file.root();
-  const Vec3 keeper = root.get<Vec3>("keeper");
-  harness.input<RobotPose>().pose = Pose2(keeper.x(), keeper.y(), keeper.z());
-  const BehaviorOutput& output = with(root.get<Vec2>("ball"), root.get<Vec2>("velocity"));
-  const ConfigSection expected = root.section("expected");
-  const Vec2 goes = output.skill == Skill::stand ? Vec2(keeper.head<2>()) : output.target.position;
-  EXPECT_LT((goes - expected.get<Vec2>("place")).norm(), expected.get<double>("within"))
-      << "it goes to " << goes.transpose();
-  if (const auto most = expected.find<double>("fromTheWay")) {  // of the ball
-    const Vec2 to = goes - root.get<Vec2>("ball"), way = root.get<Vec2>("velocity").normalized();
-    EXPECT_LT(std::abs(way.x() * to.y() - way.y() * to.x()), *most) << "it goes to " << goes.transpose();
+  const test::WrittenSituation<GoalieExpected> written("goalie", GetParam());
+  harness.input<RobotPose>().pose = written->robot;
+  const BehaviorOutput& output = with(written->ball, written->ballVelocity);
+  const GoalieExpected& expected = written.expected();
+  const Vec2 goes = output.skill == Skill::stand ? written->robot.position : output.target.position;
+  EXPECT_LT((goes - expected.place).norm(), expected.within) << "it goes to " << goes.transpose();
+  if (expected.fromTheWay) {  // of the ball
+    const Vec2 to = goes - written->ball, way = written->ballVelocity.normalized();
+    EXPECT_LT(std::abs(way.x() * to.y() - way.y() * to.x()), *expected.fromTheWay)
+        << "it goes to " << goes.transpose();
   }
 }
 
-INSTANTIATE_TEST_SUITE_P(Written, GoalieSituations,
-                         testing::Values("ballInMidfield", "ballAtTheCorner", "ballThatRestsBeforeTheGoal",
-                                         "shotAtTheRightHalf", "shotThatMisses"),
-                         [](const auto& name) { return std::string(name.param); });
+INSTANTIATE_TEST_SUITE_P(Written, GoalieSituations, testing::ValuesIn(test::situationNames("goalie")),
+                         test::situationName);
 
 }  // namespace

@@ -4,7 +4,7 @@
 
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
-#include "support/Situation.h"
+#include "support/SituationHarness.h"
 
 using namespace plumbline;
 
@@ -77,18 +77,15 @@ TEST_F(PassCallTest, theRequestIsDrawnAtTheBall) {
 }
 
 /// A file with positions and whether people expect a request (tests/data/situations/passCall).
-struct PassSituations : PassCallTest, testing::WithParamInterface<const char*> {};
+struct PassSituations : PassCallTest, testing::WithParamInterface<std::string> {};
 
 TEST_P(PassSituations, areDecidedAsExpected) {
-  const ConfigFile file = test::situationFile(std::string("passCall/") + GetParam());
-  const ConfigSection& root = file.root();
-  test::placeScene(harness, root);
-  EXPECT_EQ(asks(), root.section("expected").get<int>("asks") == 1);
+  const test::WrittenSituation<CallExpected> written("passCall", GetParam());
+  test::placeScene(harness, *written);
+  EXPECT_EQ(asks(), written.expected().asks);
 }
 
-INSTANTIATE_TEST_SUITE_P(Written, PassSituations,
-                         testing::Values("atAKickIn", "inFrontOfTheGoal", "nobodyNear", "opponentComes",
-                                         "stillOnItsWay"),
-                         [](const auto& name) { return std::string(name.param); });
+INSTANTIATE_TEST_SUITE_P(Written, PassSituations, testing::ValuesIn(test::situationNames("passCall")),
+                         test::situationName);
 
 }  // namespace

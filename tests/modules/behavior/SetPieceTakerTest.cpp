@@ -4,7 +4,8 @@
 
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
-#include "support/Situation.h"
+#include "support/Robots.h"
+#include "support/SituationHarness.h"
 
 using namespace plumbline;
 
@@ -128,24 +129,20 @@ TEST_F(SetPieceTakerTest, aBallClearlyOnTheOtherSideMirrorsIt) {
 
 /// A file with positions and where people expect the ball or the player to go
 /// (tests/data/situations/setPiece).
-struct SetPieceSituations : SetPieceTakerTest, testing::WithParamInterface<const char*> {};
+struct SetPieceSituations : SetPieceTakerTest, testing::WithParamInterface<std::string> {};
 
 TEST_P(SetPieceSituations, areDecidedAsExpected) {
-  const ConfigFile file = test::situationFile(std::string("setPiece/") + GetParam());
-  const ConfigSection& root = file.root();
-  test::placeScene(harness, root);
+  const test::WrittenSituation<SkillExpected> written("setPiece", GetParam());
+  test::placeScene(harness, *written);
   const SetPieceOutput& taken = output();
   ASSERT_TRUE(taken.active);
-  const ConfigSection expected = root.section("expected");
-  EXPECT_EQ(taken.skill, expected.get<std::string>("skill"));
-  EXPECT_LT((taken.target.position - expected.get<Vec2>("target")).norm(), expected.get<double>("within"))
+  const SkillExpected& expected = written.expected();
+  EXPECT_EQ(taken.skill, expected.skill);
+  EXPECT_LT((taken.target.position - *expected.target).norm(), expected.within)
       << "to " << taken.target.position.transpose();
 }
 
-INSTANTIATE_TEST_SUITE_P(Written, SetPieceSituations,
-                         testing::Values("cornerFromTheRight", "freeMateAtAKickIn",
-                                         "goalKickAwayFromOpponents", "goalKickOfABallThatSeemsToBeRight",
-                                         "kickOffBack", "theirFreeKick"),
-                         [](const auto& name) { return std::string(name.param); });
+INSTANTIATE_TEST_SUITE_P(Written, SetPieceSituations, testing::ValuesIn(test::situationNames("setPiece")),
+                         test::situationName);
 
 }  // namespace

@@ -3,7 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "support/ModuleHarness.h"
-#include "support/Situation.h"
+#include "support/SituationHarness.h"
 
 using namespace plumbline;
 
@@ -58,27 +58,22 @@ TEST_F(SupporterTest, leavesTheBallToTheStriker) {
 }
 
 /// A file with positions and what people expect a supporter to do (tests/data/situations/supporter).
-struct SupporterSituations : SupporterTest, testing::WithParamInterface<const char*> {};
+struct SupporterSituations : SupporterTest, testing::WithParamInterface<std::string> {};
 
 TEST_P(SupporterSituations, areDecidedAsExpected) {
-  const ConfigFile file = test::situationFile(std::string("supporter/") + GetParam());
-  const ConfigSection& root = file.root();
-  const Pose2 robot = test::poseOf(root, "robot");
-  harness.input<PlayerRole>().place = test::poseOf(root, "place");
-  test::placeBall(harness.input<BallPos>(), robot, root.get<Vec2>("ball"));
-  harness.input<BallPos>().age = root.find<double>("ballAge").value_or(0);
-  const BehaviorOutput& output = at(robot);
-  const ConfigSection expected = root.section("expected");
-  ASSERT_EQ(output.skill, expected.get<std::string>("skill"));
-  if (!expected.has("target")) return;
-  const Pose2 target = test::poseOf(expected, "target");
-  EXPECT_LT((output.target.position - target.position).norm(), expected.get<double>("within"));
-  EXPECT_NEAR(normalizeAngle(output.target.heading - target.heading), 0, expected.get<double>("within"));
+  const test::WrittenSituation<SkillExpected> written("supporter", GetParam());
+  harness.input<PlayerRole>().place = *written->place;
+  test::placeBall(harness.input<BallPos>(), written->robot, written->ball);
+  harness.input<BallPos>().age = written->ballAge;
+  const BehaviorOutput& output = at(written->robot);
+  const SkillExpected& expected = written.expected();
+  ASSERT_EQ(output.skill, expected.skill);
+  if (!expected.target) return;
+  EXPECT_LT((output.target.position - *expected.target).norm(), expected.within);
+  EXPECT_NEAR(normalizeAngle(output.target.heading - *expected.heading), 0, expected.within);
 }
 
-INSTANTIATE_TEST_SUITE_P(Written, SupporterSituations,
-                         testing::Values("atItsPlace", "ballBehindIt", "ballThatNobodySees",
-                                         "farFromItsPlace"),
-                         [](const auto& name) { return std::string(name.param); });
+INSTANTIATE_TEST_SUITE_P(Written, SupporterSituations, testing::ValuesIn(test::situationNames("supporter")),
+                         test::situationName);
 
 }  // namespace

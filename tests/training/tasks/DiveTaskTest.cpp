@@ -8,7 +8,7 @@
 namespace plumbline::training {
 namespace {
 
-using DiveOptions = std::map<std::string, std::string>;
+using Options = std::map<std::string, std::string>;
 
 /// Of 20 shots the number of saves.
 int saves(DiveTask& task, const Eigen::VectorXd& parameters) {
@@ -19,22 +19,23 @@ int saves(DiveTask& task, const Eigen::VectorXd& parameters) {
 
 TEST(DiveTask, theDiveSavesMostShotsInItsReach) {
   for (const char* type : {"0", "4"}) {
-    DiveTask task{TaskOptions(DiveOptions{{"type", type}})};
+    DiveTask task{TaskOptions(Options{{"type", type}}).as<DiveOptions>()};
     EXPECT_GE(saves(task, startOf(task)), 10) << type;
   }
 }
 
 TEST(DiveTask, whoDoesNotMoveSavesNone) {
-  DiveTask late{TaskOptions(DiveOptions{{"reaction", "2"}})};
+  DiveTask late{TaskOptions(Options{{"reaction", "2"}}).as<DiveOptions>()};
   EXPECT_EQ(saves(late, startOf(late)), 0);
-  DiveTask atTheFeet{TaskOptions(DiveOptions{{"reaction", "2"}, {"from", "-0.05"}, {"to", "0.05"}})};
+  DiveTask atTheFeet{
+      TaskOptions(Options{{"reaction", "2"}, {"from", "-0.05"}, {"to", "0.05"}}).as<DiveOptions>()};
   EXPECT_GE(saves(atTheFeet, startOf(atTheFeet)), 18);
-  DiveTask aside{TaskOptions(DiveOptions{{"from", "1.6"}, {"to", "2"}})};
+  DiveTask aside{TaskOptions(Options{{"from", "1.6"}, {"to", "2"}}).as<DiveOptions>()};
   EXPECT_EQ(saves(aside, startOf(aside)), 0) << "out of reach";
 }
 
 TEST(DiveTask, aRunDependsOnParametersAndSeedAlone) {
-  DiveTask used{TaskOptions()}, fresh{TaskOptions()};
+  DiveTask used{DiveOptions()}, fresh{DiveOptions()};
   const Eigen::VectorXd dive = startOf(used);
   used.run(dive, 8);
   expectSame(used.run(dive, 9), fresh.run(dive, 9));
@@ -42,7 +43,7 @@ TEST(DiveTask, aRunDependsOnParametersAndSeedAlone) {
 
 TEST(DiveTask, tellsAMotionThatThereIsNot) {
   EXPECT_EQ(thrownBy([] {
-              DiveTask task{TaskOptions(DiveOptions{{"motion", "divLeft"}})};
+              DiveTask task{TaskOptions(Options{{"motion", "divLeft"}}).as<DiveOptions>()};
             }),
             "option motion: no motion divLeft");
 }

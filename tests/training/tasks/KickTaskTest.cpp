@@ -28,7 +28,7 @@ struct TemporaryFolder {
 };
 
 TEST(KickTask, theQuickKickCarriesTheBallForward) {
-  KickTask task{TaskOptions()};
+  KickTask task{KickOptions()};
   double distance = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const TaskOutcome outcome = task.run(startOf(task), seed);
@@ -43,7 +43,7 @@ TEST(KickTask, theQuickKickCarriesTheBallForward) {
 
 TEST(KickTask, aKickIsJudgedInTheWantedDirection) {
   // The same kick asked to go ahead and to the left: what was aside is along, and the direction stays.
-  KickTask ahead{TaskOptions()}, left{TaskOptions(Options{{"direction", "90"}})};
+  KickTask ahead{KickOptions()}, left{TaskOptions(Options{{"direction", "90"}}).as<KickOptions>()};
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     const TaskOutcome first = ahead.run(startOf(ahead), seed), other = left.run(startOf(left), seed);
     const double direction = figure(first, "direction");
@@ -56,7 +56,7 @@ TEST(KickTask, aKickIsJudgedInTheWantedDirection) {
 }
 
 TEST(KickTask, aRunDependsOnParametersAndSeedAlone) {
-  KickTask used{TaskOptions()}, fresh{TaskOptions()};
+  KickTask used{KickOptions()}, fresh{KickOptions()};
   const Eigen::VectorXd x = startOf(used);
   Eigen::VectorXd other = x;
   other[0] += 80;
@@ -68,7 +68,7 @@ TEST(KickTask, aRunDependsOnParametersAndSeedAlone) {
 }
 
 TEST(KickTask, aRunIsARunOfTheFile) {
-  KickTask task{TaskOptions()};
+  KickTask task{KickOptions()};
   Eigen::VectorXd x = startOf(task);
   for (Eigen::Index i = 0; i < x.size(); ++i) {
     const TaskParameter& one = task.parameters()[static_cast<std::size_t>(i)];
@@ -101,7 +101,7 @@ TEST(KickTask, aRunIsARunOfTheFile) {
 }
 
 TEST(KickTask, aKickThatGoesPastBackwardHasADirectionThatAFileMayHave) {
-  const KickTask task{TaskOptions()};
+  const KickTask task{KickOptions()};
   const std::string file = task.file(startOf(task), "",
                                      {{"distance", 2},
                                       {"direction", 190},
@@ -113,8 +113,9 @@ TEST(KickTask, aKickThatGoesPastBackwardHasADirectionThatAFileMayHave) {
 }
 
 TEST(KickTask, aWantedDistanceIsBetterThanAFartherKick) {
-  KickTask farthest(TaskOptions(Options{{"steady", "0"}, {"weight", "0"}}));
-  KickTask wanted(TaskOptions(Options{{"steady", "0"}, {"weight", "0"}, {"distance", "1"}}));
+  KickTask farthest(TaskOptions(Options{{"steady", "0"}, {"weight", "0"}}).as<KickOptions>());
+  KickTask wanted(
+      TaskOptions(Options{{"steady", "0"}, {"weight", "0"}, {"distance", "1"}}).as<KickOptions>());
   const TaskOutcome far = farthest.run(startOf(farthest), 3), near = wanted.run(startOf(wanted), 3);
   const double along = figure(far, "distance"), aside = along * std::tan(figure(far, "off") * pi / 180);
   EXPECT_NEAR(far.cost, -30 * (along - aside) - 120 * figure(far, "height"), 1e-6);
@@ -123,8 +124,8 @@ TEST(KickTask, aWantedDistanceIsBetterThanAFartherKick) {
 
 /// The ball goes the same way; what follows is another.
 TEST(KickTask, standsStillAfterwardsInTheShareOfRunsThatIsAskedFor) {
-  KickTask walks{TaskOptions()}, stands(TaskOptions(Options{{"still", "1"}})),
-      some(TaskOptions(Options{{"still", "0.5"}}));
+  KickTask walks{KickOptions()}, stands(TaskOptions(Options{{"still", "1"}}).as<KickOptions>()),
+      some(TaskOptions(Options{{"still", "0.5"}}).as<KickOptions>());
   int stood = 0;
   for (std::uint64_t seed = 1; seed <= 8; ++seed) {
     const TaskOutcome walked = walks.run(startOf(walks), seed), still = stands.run(startOf(stands), seed);
@@ -140,9 +141,10 @@ TEST(KickTask, standsStillAfterwardsInTheShareOfRunsThatIsAskedFor) {
 
 /// type 2's long kick flies over a goal more often than not, its quick kick never.
 TEST(KickTask, tellsHowHighTheBallIsWhereAGoalMayStand) {
-  KickTask high(TaskOptions(Options{{"type", "2"}, {"motion", "kickLong"}}));
-  KickTask quick(TaskOptions(Options{{"type", "2"}}));
-  KickTask shot(TaskOptions(Options{{"type", "2"}, {"motion", "kickLong"}, {"ceiling", "0.3"}}));
+  KickTask high(TaskOptions(Options{{"type", "2"}, {"motion", "kickLong"}}).as<KickOptions>());
+  KickTask quick(TaskOptions(Options{{"type", "2"}}).as<KickOptions>());
+  KickTask shot(
+      TaskOptions(Options{{"type", "2"}, {"motion", "kickLong"}, {"ceiling", "0.3"}}).as<KickOptions>());
   int over = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed) {
     const TaskOutcome far = high.run(startOf(high), seed), low = quick.run(startOf(quick), seed);
@@ -160,7 +162,7 @@ TEST(KickTask, tellsHowHighTheBallIsWhereAGoalMayStand) {
 }
 
 TEST(KickTask, theLeftFootKicksAsTheRightOne) {
-  KickTask left(TaskOptions(Options{{"side", "left"}}));
+  KickTask left(TaskOptions(Options{{"side", "left"}}).as<KickOptions>());
   EXPECT_GT(left.parameters().back().start, 0) << "ballY";
   double distance = 0;
   for (std::uint64_t seed = 1; seed <= 4; ++seed)
@@ -170,7 +172,7 @@ TEST(KickTask, theLeftFootKicksAsTheRightOne) {
 
 std::string errorOf(const Options& options) {
   try {
-    KickTask task{TaskOptions(options)};
+    KickTask task{TaskOptions(options).as<KickOptions>()};
     return "no error";
   } catch (const ConfigurationError& error) {
     return error.what();

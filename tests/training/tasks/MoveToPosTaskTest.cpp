@@ -10,7 +10,9 @@
 namespace plumbline::training {
 namespace {
 
-TaskOptions options(std::map<std::string, std::string> values) { return TaskOptions(std::move(values)); }
+MoveToPosOptions options(std::map<std::string, std::string> values) {
+  return TaskOptions(std::move(values)).as<MoveToPosOptions>();
+}
 
 TEST(MoveToPosTask, everyTypeWalksToThePlaceAndStops) {
   MoveToPosTask task(options({{"nearest", "3"}, {"farthest", "3"}}));

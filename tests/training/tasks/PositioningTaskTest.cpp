@@ -18,8 +18,8 @@ Eigen::Index indexOf(const SearchTask& task, const std::string& name) {
   return 0;
 }
 
-TaskOptions type(const char* number) {
-  return TaskOptions(std::map<std::string, std::string>{{"type", number}});
+PositioningOptions type(const char* number) {
+  return TaskOptions(std::map<std::string, std::string>{{"type", number}}).as<PositioningOptions>();
 }
 
 TEST(PositioningTask, theRobotGoesToTheBallAndKicksItFar) {
@@ -50,7 +50,8 @@ TEST(PositioningTask, aRunDependsOnParametersAndSeedAlone) {
 
 TEST(PositioningTask, startsAreDrawnUpToTheFarthest) {
   PositioningTask near(type("3")),
-      far(TaskOptions(std::map<std::string, std::string>{{"type", "3"}, {"start", "7"}, {"farthest", "9"}}));
+      far(TaskOptions(std::map<std::string, std::string>{{"type", "3"}, {"start", "7"}, {"farthest", "9"}})
+              .as<PositioningOptions>());
   const Eigen::VectorXd start = startOf(near);
   for (std::uint64_t seed = 1; seed <= 3; ++seed) {
     // At 0.5 m/s at least, on more than 5 m more.
@@ -89,8 +90,8 @@ TEST(PositioningTask, theFileHasWhatWasSearchedAndIsReadAsAnOverlay) {
 
 TEST(PositioningTask, aPartOfTheNumbersIsSearchedAndAllAreWritten) {
   const auto searching = [](const char* part) {
-    return PositioningTask(
-        TaskOptions(std::map<std::string, std::string>{{"type", "4"}, {"searched", part}}));
+    return PositioningTask(TaskOptions(std::map<std::string, std::string>{{"type", "4"}, {"searched", part}})
+                               .as<PositioningOptions>());
   };
   PositioningTask all(type("4")), near = searching("near"), far = searching("far");
   EXPECT_EQ(near.parameters().size() + far.parameters().size(), all.parameters().size());
@@ -104,7 +105,8 @@ TEST(PositioningTask, aPartOfTheNumbersIsSearchedAndAllAreWritten) {
 TEST(PositioningTask, tellsOptionsThatItCannotUse) {
   const auto with = [](const char* key, const char* value) {
     return thrownBy([&] {
-      PositioningTask task{TaskOptions(std::map<std::string, std::string>{{key, value}})};
+      PositioningTask task{
+          TaskOptions(std::map<std::string, std::string>{{key, value}}).as<PositioningOptions>()};
     });
   };
   EXPECT_EQ(with("motion", "wave"), "option motion: wave is no kick of this robot");
@@ -113,8 +115,10 @@ TEST(PositioningTask, tellsOptionsThatItCannotUse) {
 }
 
 TEST(PositioningTask, aKicksPlaceIsSearchedAndItsFileWritten) {
-  PositioningTask task(TaskOptions(std::map<std::string, std::string>{
-      {"type", "1"}, {"searched", "place"}, {"start", "0.5"}, {"metre", "1"}}));
+  PositioningTask task(
+      TaskOptions(std::map<std::string, std::string>{
+                      {"type", "1"}, {"searched", "place"}, {"start", "0.5"}, {"metre", "1"}})
+          .as<PositioningOptions>());
   const Eigen::VectorXd start = startOf(task);
   ASSERT_EQ(start.size(), 3);
   Eigen::VectorXd tooFar = start;

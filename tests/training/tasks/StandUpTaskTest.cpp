@@ -8,7 +8,7 @@ namespace {
 using Options = std::map<std::string, std::string>;
 
 TEST(StandUpTask, aRunDependsOnParametersAndSeedAlone) {
-  StandUpTask used{TaskOptions()}, fresh{TaskOptions()};
+  StandUpTask used{StandUpOptions()}, fresh{StandUpOptions()};
   Eigen::VectorXd x(static_cast<Eigen::Index>(used.parameters().size()));
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = used.parameters()[static_cast<std::size_t>(i)].start;
   const Eigen::VectorXd other = 0.9 * x;
@@ -22,8 +22,8 @@ TEST(StandUpTask, aRunDependsOnParametersAndSeedAlone) {
 
 /// The fall and the motion are the same; what follows is another.
 TEST(StandUpTask, standsStillAfterwardsInTheShareOfRunsThatIsAskedFor) {
-  StandUpTask walks{TaskOptions()}, stands(TaskOptions(Options{{"still", "1"}})),
-      some(TaskOptions(Options{{"still", "0.5"}}));
+  StandUpTask walks{StandUpOptions()}, stands(TaskOptions(Options{{"still", "1"}}).as<StandUpOptions>()),
+      some(TaskOptions(Options{{"still", "0.5"}}).as<StandUpOptions>());
   int stood = 0;
   for (std::uint64_t seed = 1; seed <= 6; ++seed) {
     const double walked = walks.tryMotion(walks.first(), seed).cost;
@@ -39,8 +39,8 @@ TEST(StandUpTask, standsStillAfterwardsInTheShareOfRunsThatIsAskedFor) {
 
 /// As in play the motion begins while the robot still moves, and the run is the same again.
 TEST(StandUpTask, beginsWithTheMotionOfTheFallWhereThatIsAskedFor) {
-  StandUpTask rests{TaskOptions()}, moves(TaskOptions(Options{{"start", "fall"}})),
-      again(TaskOptions(Options{{"start", "fall"}}));
+  StandUpTask rests{StandUpOptions()}, moves(TaskOptions(Options{{"start", "fall"}}).as<StandUpOptions>()),
+      again(TaskOptions(Options{{"start", "fall"}}).as<StandUpOptions>());
   for (std::uint64_t seed = 2; seed <= 3; ++seed) {  // dropped, pushed while it walks
     const double rested = rests.tryMotion(rests.first(), seed).cost;
     const double moved = moves.tryMotion(moves.first(), seed).cost;
@@ -50,7 +50,7 @@ TEST(StandUpTask, beginsWithTheMotionOfTheFallWhereThatIsAskedFor) {
 }
 
 TEST(StandUpTask, fromTheSideItRollsAndStandsUpAndTheTimeIsOfBoth) {
-  StandUpTask task(TaskOptions(Options{{"direction", "side"}, {"start", "fall"}}));
+  StandUpTask task(TaskOptions(Options{{"direction", "side"}, {"start", "fall"}}).as<StandUpOptions>());
   EXPECT_EQ(task.first().name, "rollOver");
   double up = 0;
   for (std::uint64_t seed = 1; seed <= 10; ++seed) {

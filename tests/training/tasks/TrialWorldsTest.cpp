@@ -27,7 +27,7 @@ struct EffectsFile {
 };
 
 TaskOutcome runOf(const Options& options, std::uint64_t seed) {
-  StandUpTask task{TaskOptions(options)};
+  StandUpTask task{TaskOptions(options).as<StandUpOptions>()};
   Eigen::VectorXd x(static_cast<Eigen::Index>(task.parameters().size()));
   for (Eigen::Index i = 0; i < x.size(); ++i) x[i] = task.parameters()[static_cast<std::size_t>(i)].start;
   return task.run(x, seed);
@@ -35,7 +35,7 @@ TaskOutcome runOf(const Options& options, std::uint64_t seed) {
 
 TEST(TrialWorlds, withoutDrawsThereIsOneWorldWithAllEffects) {
   const EffectsFile file;
-  TrialWorlds plain(TaskOptions(), 0), with(TaskOptions(Options{{"effects", file.path}}), 0);
+  TrialWorlds plain{WorldOptions()}, with(TaskOptions(Options{{"effects", file.path}}).as<WorldOptions>());
   EXPECT_EQ(plain.count(), 1u);
   EXPECT_EQ(with.count(), 1u);
   EXPECT_EQ(&with.of(1), &with.of(2));
@@ -45,7 +45,7 @@ TEST(TrialWorlds, withoutDrawsThereIsOneWorldWithAllEffects) {
 TEST(TrialWorlds, theSeedSaysWhichDrawARunIsInAndTheFirstIsNominal) {
   const EffectsFile file;
   const Options drawn{{"effects", file.path}, {"draws", "4"}};
-  TrialWorlds worlds(TaskOptions(drawn), 0);
+  TrialWorlds worlds(TaskOptions(drawn).as<WorldOptions>());
   EXPECT_EQ(worlds.count(), 4u);
   EXPECT_EQ(&worlds.of(1), &worlds.of(5));
   EXPECT_NE(&worlds.of(1), &worlds.of(2));
@@ -75,7 +75,7 @@ TEST(TrialWorlds, theOtherEngineIsAnOption) {
 
 std::string mistakeIn(const Options& options) {
   try {
-    TrialWorlds worlds(TaskOptions(options), 0);
+    TrialWorlds worlds(TaskOptions(options).as<WorldOptions>());
     return "no error";
   } catch (const ConfigurationError& error) {
     return error.what();
@@ -85,7 +85,8 @@ std::string mistakeIn(const Options& options) {
 TEST(TrialWorlds, badOptionsAreReported) {
   EXPECT_EQ(mistakeIn({{"draws", "4"}}),
             "option draws: of what? give the file of effects too (option effects)");
-  EXPECT_EQ(mistakeIn({{"draws", "many"}}), "option draws: \"many\" is no number from 0 to 64");
+  EXPECT_EQ(mistakeIn({{"draws", "many"}}), "option draws: \"many\" is no whole number from 0 to 64");
+  EXPECT_EQ(mistakeIn({{"type", "7"}}), "option type: there is no robot of type 7; there are types 0 to 4");
   EXPECT_EQ(mistakeIn({{"engine", "bulet"}}).rfind("option engine: ", 0), 0u)
       << mistakeIn({{"engine", "bulet"}});
 }

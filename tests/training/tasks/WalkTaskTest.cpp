@@ -22,7 +22,7 @@ Eigen::VectorXd walkStart(const SearchTask& task) {
 }
 
 TEST(WalkTask, theStartIsTheTypesWalk) {
-  WalkTask task(TaskOptions(Options{{"type", "3"}, {"seconds", "4"}}));
+  WalkTask task(TaskOptions(Options{{"type", "3"}, {"seconds", "4"}}).as<WalkOptions>());
   const TaskOutcome outcome = task.run(walkStart(task), 1);
   walking::WalkingRobot robot(3);
   const walking::TrialSetup trial{.seed = 1, .tries = 1, .seconds = 4};
@@ -35,7 +35,7 @@ TEST(WalkTask, theStartIsTheTypesWalk) {
 
 TEST(WalkTask, aRunDependsOnParametersAndSeedAlone) {
   const Options options{{"direction", "sideways"}, {"seconds", "3"}};
-  WalkTask used{TaskOptions(options)}, fresh{TaskOptions(options)};
+  WalkTask used{TaskOptions(options).as<WalkOptions>()}, fresh{TaskOptions(options).as<WalkOptions>()};
   const Eigen::VectorXd x = walkStart(used);
   Eigen::VectorXd other = x;
   other[0] += used.parameters()[0].sigma;
@@ -46,7 +46,7 @@ TEST(WalkTask, aRunDependsOnParametersAndSeedAlone) {
 }
 
 TEST(WalkTask, itsFileIsTheWalkOfTheParameters) {
-  WalkTask task(TaskOptions(Options{{"type", "1"}, {"direction", "turn"}}));
+  WalkTask task(TaskOptions(Options{{"type", "1"}, {"direction", "turn"}}).as<WalkOptions>());
   Eigen::VectorXd x = walkStart(task);
   const TaskParameter& one = task.parameters()[0];
   EXPECT_EQ(one.name, "turn_posture_hipHeight");
@@ -63,7 +63,7 @@ TEST(WalkTask, itsFileIsTheWalkOfTheParameters) {
 
 std::string walkError(const Options& options) {
   try {
-    WalkTask task{TaskOptions(options)};
+    WalkTask task{TaskOptions(options).as<WalkOptions>()};
     return "no error";
   } catch (const ConfigurationError& error) {
     return error.what();

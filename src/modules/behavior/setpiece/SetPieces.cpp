@@ -1,13 +1,12 @@
 #include "modules/behavior/setpiece/SetPieces.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <set>
-#include <utility>
 
 #include "framework/NearestName.h"
+#include "representations/infrastructure/PlayModeNames.h"
 
 namespace plumbline {
 namespace {
@@ -16,26 +15,19 @@ constexpr double farthest = 100;      ///< [m]
 constexpr double longest = 30;        ///< [s]
 constexpr std::size_t maxPlaces = 9;  ///< with goalie and striker eleven
 
-constexpr std::array<std::pair<const char*, PlayMode>, 13> modeNames{
-    {{"kickOffOwn", PlayMode::kickOffOwn},
-     {"kickOffOpponent", PlayMode::kickOffOpponent},
-     {"kickInOwn", PlayMode::kickInOwn},
-     {"kickInOpponent", PlayMode::kickInOpponent},
-     {"cornerOwn", PlayMode::cornerOwn},
-     {"cornerOpponent", PlayMode::cornerOpponent},
-     {"goalKickOwn", PlayMode::goalKickOwn},
-     {"goalKickOpponent", PlayMode::goalKickOpponent},
-     {"freeKickOwn", PlayMode::freeKickOwn},
-     {"freeKickOpponent", PlayMode::freeKickOpponent},
-     {"directFreeKickOwn", PlayMode::directFreeKickOwn},
-     {"directFreeKickOpponent", PlayMode::directFreeKickOpponent},
-     {"passOpponent", PlayMode::passOpponent}}};
+/// The modes in which somebody brings the ball into play.
+constexpr PlayMode restarts[] = {
+    PlayMode::kickOffOwn,       PlayMode::kickOffOpponent,   PlayMode::kickInOwn,
+    PlayMode::kickInOpponent,   PlayMode::cornerOwn,         PlayMode::cornerOpponent,
+    PlayMode::goalKickOwn,      PlayMode::goalKickOpponent,  PlayMode::freeKickOwn,
+    PlayMode::freeKickOpponent, PlayMode::directFreeKickOwn, PlayMode::directFreeKickOpponent,
+    PlayMode::passOpponent};
 
 PlayMode modeOf(const std::string& word, const ConfigSection& file) {
   std::vector<std::string> words;
-  for (const auto& [name, mode] : modeNames) {
-    if (word == name) return mode;
-    words.emplace_back(name);
+  for (const PlayMode mode : restarts) {
+    if (word == playModeName(mode)) return mode;
+    words.emplace_back(playModeName(mode));
   }
   file.fail("modes", "has \"" + word.substr(0, 40) + "\", which is no play mode" + suggestion(word, words));
 }
