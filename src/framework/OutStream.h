@@ -1,4 +1,5 @@
 #pragma once
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <string_view>
@@ -6,6 +7,15 @@
 #include "framework/NumberBlock.h"
 
 namespace plumbline {
+
+/// What there is to know of floating-point numbers that pass by.
+struct NumberCheck {
+  bool any = false, finite = true;
+  void see(double value) {
+    any = true;
+    finite &= std::isfinite(value);
+  }
+};
 
 /// Where a Streamable writes itself. A stream knows only these few shapes; StreamTypes.h breaks every
 /// supported type down to them, and STREAM names the members.
@@ -36,6 +46,16 @@ public:
   /// True if labels, objects and lists that are not `sized` leave no trace: then numbers in
   /// several of them may come as one block.
   virtual bool flat() const { return false; }
+  /// Not null: this stream looks at floating-point numbers alone and writes nothing. Every representation
+  /// passes one in every cycle, so its numbers come here without a virtual call for each.
+  NumberCheck* check() const { return check_; }
+
+protected:
+  OutStream() = default;
+  explicit OutStream(NumberCheck& check) : check_(&check) {}
+
+private:
+  NumberCheck* check_ = nullptr;
 };
 
 }  // namespace plumbline

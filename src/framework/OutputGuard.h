@@ -1,5 +1,7 @@
 #pragma once
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 
 #include "framework/RepresentationLoader.h"
@@ -19,9 +21,15 @@ public:
   std::string check();
 
 private:
+  bool stayed() const;
+
   const RepresentationLoader* loader_;
   Representation* value_;
   std::unique_ptr<RepresentationHolder> lastGood_;
+  // Of the loader and the holder, which no cycle has in the processor's cache.
+  Representation* last_;
+  std::optional<std::span<const char>> bytes_, lastBytes_;  ///< of the value and of the last good one
+  bool hasOwnCheck_;
   bool found_ = false;    ///< a good value: lastGood_ is no longer what was there at the start
   bool numbers_ = false;  ///< some were streamed so far; what streams none needs no copies
 };

@@ -1,6 +1,7 @@
 #pragma once
-#include <algorithm>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string>
 #include <type_traits>
 
@@ -26,8 +27,8 @@ public:
   virtual std::unique_ptr<RepresentationHolder> create() const = 0;
   /// `to` = `from`; both must be of the loader's type.
   virtual void copy(const Representation& from, Representation& to) const = 0;
-  /// True if both are equal in each byte and own no memory beyond them. False says nothing.
-  virtual bool sameBytes(const Representation& a, const Representation& b) const = 0;
+  /// The bytes of a value that owns no memory beyond them; nothing for others.
+  virtual std::optional<std::span<const char>> plainBytes(const Representation& value) const = 0;
   /// "", or in one line what the representation's own check says: `std::string problem() const`, where it has
   /// one.
   virtual std::string ownProblem(const Representation& value) const = 0;
@@ -67,11 +68,12 @@ public:
   void copy(const Representation& from, Representation& to) const override {
     static_cast<R&>(to) = static_cast<const R&>(from);
   }
-  bool sameBytes(const Representation& a, const Representation& b) const override {
+  std::optional<std::span<const char>> plainBytes(
+      [[maybe_unused]] const Representation& value) const override {
     if constexpr (std::is_trivially_destructible_v<R>) {
-      return std::ranges::equal(memberBytes(static_cast<const R&>(a)), memberBytes(static_cast<const R&>(b)));
+      return memberBytes(static_cast<const R&>(value));
     } else {
-      return false;
+      return std::nullopt;
     }
   }
   bool hasOwnCheck() const override {

@@ -33,24 +33,25 @@ bool allFinite(const void* data, std::size_t count) {
   return bad == 0;
 }
 
-/// Looks at the numbers and writes nothing.
+/// Looks at the numbers and writes nothing. Most come by its NumberCheck; what a class writes by its own
+/// stream method comes here.
 class FiniteCheck final : public OutStream {
 public:
-  bool finite = true, numbers = false;
+  explicit FiniteCheck(NumberCheck& check) : OutStream(check), check_(check) {}
 
   void writeSigned(std::int64_t, unsigned) override {}
   void writeUnsigned(std::uint64_t, unsigned) override {}
   void writeBool(bool) override {}
   void writeChar(char) override {}
-  void writeFloat(float value) override { see(static_cast<double>(value)); }
-  void writeDouble(double value) override { see(value); }
+  void writeFloat(float value) override { check_.see(static_cast<double>(value)); }
+  void writeDouble(double value) override { check_.see(value); }
   void writeString(std::string_view) override {}
   void writeRaw(const void*, std::size_t) override {}
   void writeBlock(NumberType type, const void* data, std::size_t count) override {
     if (type.kind != NumberType::Kind::floatingPoint || count == 0) return;
-    numbers = true;
-    finite = finite && (type.bytes == 4 ? allFinite<std::uint32_t>(data, count)
-                                        : allFinite<std::uint64_t>(data, count));
+    check_.any = true;
+    check_.finite &=
+        type.bytes == 4 ? allFinite<std::uint32_t>(data, count) : allFinite<std::uint64_t>(data, count);
   }
   void beginObject() override {}
   void endObject() override {}
@@ -60,10 +61,7 @@ public:
   bool flat() const override { return true; }
 
 private:
-  void see(double value) {
-    numbers = true;
-    finite = finite && std::isfinite(value);
-  }
+  NumberCheck& check_;
 };
 
 /// Finds the first number that is not finite and the labels that lead to it.
@@ -114,9 +112,10 @@ void writeTo(OutStream& out, const Representation& value) {
 }  // namespace
 
 bool streamsFiniteNumbers(const Representation& value, bool& numbers) {
-  FiniteCheck check;
-  writeTo(check, value);
-  numbers = numbers || check.numbers;
+  NumberCheck check;
+  FiniteCheck out(check);
+  writeTo(out, value);
+  numbers = numbers || check.any;
   return check.finite;
 }
 

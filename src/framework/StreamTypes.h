@@ -28,6 +28,7 @@ template <typename T>
 requires HasStreamMethod<T>
 struct StreamType<T> {
   static void write(OutStream& out, const T& value) {
+    if (out.check()) return const_cast<T&>(value).stream(nullptr, &out);
     out.beginObject();
     const_cast<T&>(value).stream(nullptr, &out);
     out.endObject();
@@ -41,37 +42,51 @@ struct StreamType<T> {
 
 template <>
 struct StreamType<bool> {
-  static void write(OutStream& out, bool value) { out.writeBool(value); }
+  static void write(OutStream& out, bool value) {
+    if (!out.check()) out.writeBool(value);
+  }
   static void read(InStream& in, bool& value) { in.readBool(value); }
 };
 
 template <>
 struct StreamType<char> {
-  static void write(OutStream& out, char value) { out.writeChar(value); }
+  static void write(OutStream& out, char value) {
+    if (!out.check()) out.writeChar(value);
+  }
   static void read(InStream& in, char& value) { in.readChar(value); }
 };
 
 template <>
 struct StreamType<float> {
-  static void write(OutStream& out, float value) { out.writeFloat(value); }
+  static void write(OutStream& out, float value) {
+    if (NumberCheck* check = out.check()) return check->see(static_cast<double>(value));
+    out.writeFloat(value);
+  }
   static void read(InStream& in, float& value) { in.readFloat(value); }
 };
 
 template <>
 struct StreamType<double> {
-  static void write(OutStream& out, double value) { out.writeDouble(value); }
+  static void write(OutStream& out, double value) {
+    if (NumberCheck* check = out.check()) return check->see(value);
+    out.writeDouble(value);
+  }
   static void read(InStream& in, double& value) { in.readDouble(value); }
 };
 
 template <>
 struct StreamType<std::string> {
-  static void write(OutStream& out, const std::string& value) { out.writeString(value); }
+  static void write(OutStream& out, const std::string& value) {
+    if (!out.check()) out.writeString(value);
+  }
   static void read(InStream& in, std::string& value) { in.readString(value); }
 };
 
 template <std::signed_integral T>
 struct StreamType<T> {
-  static void write(OutStream& out, T value) { out.writeSigned(value, sizeof(T)); }
+  static void write(OutStream& out, T value) {
+    if (!out.check()) out.writeSigned(value, sizeof(T));
+  }
   static void read(InStream& in, T& value) {
     std::int64_t wide = value;
     in.readSigned(wide, sizeof(T));
@@ -81,7 +96,9 @@ struct StreamType<T> {
 
 template <std::unsigned_integral T>
 struct StreamType<T> {
-  static void write(OutStream& out, T value) { out.writeUnsigned(value, sizeof(T)); }
+  static void write(OutStream& out, T value) {
+    if (!out.check()) out.writeUnsigned(value, sizeof(T));
+  }
   static void read(InStream& in, T& value) {
     std::uint64_t wide = value;
     in.readUnsigned(wide, sizeof(T));
@@ -136,6 +153,10 @@ struct StreamType<std::array<T, n>> {
 template <typename T>
 struct StreamType<std::vector<T>> {
   static void write(OutStream& out, const std::vector<T>& value) {
+    if (out.check() && !BlockNumber<T>) {
+      for (const auto& element : value) StreamType<T>::write(out, element);
+      return;
+    }
     out.beginList(value.size(), true);
     if constexpr (BlockNumber<T>) {
       out.writeBlock(numberType<T>(), value.data(), value.size());
@@ -230,6 +251,12 @@ struct StreamType<T> {
   static constexpr std::string_view names[] = {"x", "y", "z", "w"};
 
   static void write(OutStream& out, const T& value) {
+    if constexpr (std::is_floating_point_v<Scalar>) {
+      if (NumberCheck* check = out.check()) {
+        for (int i = 0; i < size; i++) check->see(static_cast<double>(value.coeff(i % rows, i / rows)));
+        return;
+      }
+    }
     out.beginObject();
     if constexpr (BlockNumber<Scalar>) {
       if (out.flat()) {
@@ -288,6 +315,10 @@ struct StreamType<T> {
   using Linear = std::remove_cvref_t<decltype(std::declval<const T&>().linear().eval())>;
   using Translation = std::remove_cvref_t<decltype(std::declval<const T&>().translation().eval())>;
   static void write(OutStream& out, const T& value) {
+    if (out.check()) {
+      StreamType<Linear>::write(out, value.linear());
+      return StreamType<Translation>::write(out, value.translation());
+    }
     out.beginObject();
     out.label("rotation");
     StreamType<Linear>::write(out, value.linear());

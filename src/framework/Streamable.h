@@ -30,7 +30,7 @@ protected:
 template <typename T>
 void streamMember(InStream* in, OutStream* out, std::string_view label, T& member) {
   if (out) {
-    out->label(label);
+    if (!out->check()) out->label(label);
     StreamType<T>::write(*out, member);
   }
   if (in) {
