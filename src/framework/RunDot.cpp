@@ -38,14 +38,14 @@ public:
       setpgid(0, 0);
       execvp(arguments[0], arguments);
       const int reason = errno;
-      [[maybe_unused]] const auto sent = write(ends[1], &reason, sizeof reason);
+      [[maybe_unused]] const auto sent = ::write(ends[1], &reason, sizeof reason);
       _exit(127);
     }
     if (pid_ < 0) error_ = errno;
     close(ends[1]);
     ssize_t count = 0;
     do {
-      count = read(ends[0], &error_, sizeof error_);  // closed by exec
+      count = ::read(ends[0], &error_, sizeof error_);  // closed by exec
     } while (count < 0 && errno == EINTR);
     close(ends[0]);
   }

@@ -99,7 +99,7 @@ void StopSignal::handle(int signal) {
   if (!first) return;
   target->requested_.store(true);
   const std::uint64_t one = 1;
-  [[maybe_unused]] const auto written = write(target->descriptor_, &one, sizeof(one));
+  [[maybe_unused]] const auto written = ::write(target->descriptor_, &one, sizeof(one));
 }
 
 void StopSignal::catchSignals() {
