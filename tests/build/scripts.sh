@@ -359,7 +359,7 @@ rm -r elsewhere doc
 # Help does nothing but print; a wrong word is named.
 for script in scripts/*.sh; do
   [[ $script == scripts/run.sh ]] && continue # hands it on to bin/game
-  text=$(timeout 100 bash "$script" --help 2>&1)
+  text=$(within 100 bash "$script" --help 2>&1)
   expect "$script --help: status" $? 0
   contains "$script --help" "$text" "Example"
 done
