@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
-# One of each is added by files alone: a copy of the tree is built with a folder outside of it, which holds what the pages
-# of doc/how-to show, to the letter: module, representation, behaviour, skill, motion, effect (of the diagnosis and of the
-# league's simulator), robot, physics engine, engine for servo robots, optimiser, platform, rule of the referee; and a robot that
+# One of each is added by files alone. A copy of the tree is built with a folder outside of it, which holds what the pages
+# of doc/how-to show, to the letter. They are module, representation, behaviour, skill, motion, effect (of the diagnosis and of the
+# league's simulator). Also robot, physics engine, engine for servo robots, optimiser, platform, rule of the referee, and a robot that
 # walks. Each has to be there then. ccache serves all that the tree was built from; without it the test fails. Without
 # PLUMBLINE_SLOW only the agent is built: module, representation, behaviour, skill, motion and platform.
 source "$(dirname "$0")/../e2e/assert.bash"

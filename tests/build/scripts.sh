@@ -37,6 +37,16 @@ printf 'plumbline_library(record REGISTERS USES robot EXTERNALS fmt)\n' > src/re
 printf '#include "math/One.h"\n' > src/robot/Joint.h
 printf '#include "robot/Joint.h"\n#include "math/Two.h"\n' > src/record/Log.cpp
 text=$(scripts/check_floors.sh) || fail "USES that fit refused: $text"
+# The page's table has the same.
+mkdir -p doc
+printf '| `src/math/` | numbers | - |\n| `src/modules/` | modules | math |\n| `src/robot/` | a robot | math (poses) |\n| `src/record/` | logs | robot |\n' > doc/architecture.md
+text=$(scripts/check_floors.sh) || fail "a table that fits refused: $text"
+printf '| `src/math/` | numbers | - |\n| `src/modules/` | modules | math |\n| `src/record/` | logs | robot, math |\n' > doc/architecture.md
+text=$(scripts/check_floors.sh)
+expect "table: status" $? 1
+expect "table" "$text" 'doc/architecture.md:3: src/record uses robot, not math, robot
+doc/architecture.md: the table of folders lacks src/robot/'
+rm -r doc
 printf 'plumbline_library(robot EXTERNALS yaml)\n' > src/robot/CMakeLists.txt
 printf 'plumbline_library(record\n  USES robot\n    modules)\n' > src/record/CMakeLists.txt
 text=$(scripts/check_floors.sh)
@@ -241,6 +251,14 @@ text=$(scripts/check_sizes.sh)
 expect "601 lines: status" $? 1
 expect "601 lines" "$text" "src/math/Long.h: 601 lines, more than 600: split it"
 rm src/math/Long.h
+mkdir -p doc/decisions
+{ seq -s ' ' 700; printf '\n    a formula, %s\n' "$(seq -s ' ' 50)"; } > doc/decisions/0001-short.md
+scripts/check_sizes.sh > /dev/null || fail "a decision record of 700 words refused"
+seq -s ' ' 701 > doc/decisions/0001-short.md
+text=$(scripts/check_sizes.sh)
+expect "a long decision record: status" $? 1
+expect "a long decision record" "$text" "doc/decisions/0001-short.md: 701 words, more than 700: move figures and what was tried to doc/results/"
+rm -r doc
 
 # Sentences.
 words() { seq -s ' ' "$1" | tr -d '\n'; }
@@ -262,14 +280,20 @@ scripts/check_sentences.sh || fail "short sentences refused"
 printf 'One. %s\n%s, e.g. this.\n\n- Short.\n- In a list:\n  %s.\n' "$(words 20)" "$(words 20)" "$(words 36)" > doc/long.md
 printf '// One. Two\n// %s.\nint one();  ///< %s\n            ///< %s\n/* %s\n * %s */\n' \
   "$(words 35)" "$(words 20)" "$(words 20)" "$(words 20)" "$(words 17)" > src/math/Long.h
+printf '#!/bin/sh\n# %s\n# %s.\necho x # %s\n' "$(words 20)" "$(words 20)" "$(words 30)" > scripts/long.sh
+printf 'a: 1  # %s\n      # %s\n' "$(words 20)" "$(words 20)" > config/long.yaml
+printf '%s.\n' "$(words 36)" > doc/results/a-diary.md
 text=$(scripts/check_sentences.sh)
 expect "sentences: status" $? 1
-expect "sentences" "$text" 'doc/long.md:1: 42 words in a sentence, more than 35: split it
+expect "sentences" "$text" 'config/long.yaml:1: 40 words in a sentence, more than 35: split it
+doc/long.md:1: 42 words in a sentence, more than 35: split it
 doc/long.md:5: 39 words in a sentence, more than 35: split it
+doc/results/a-diary.md:1: 36 words in a sentence, more than 35: split it
+scripts/long.sh:2: 40 words in a sentence, more than 35: split it
 src/math/Long.h:1: 36 words in a sentence, more than 35: split it
 src/math/Long.h:3: 40 words in a sentence, more than 35: split it
 src/math/Long.h:5: 37 words in a sentence, more than 35: split it'
-rm -r doc src/math/Good.h src/math/Long.h
+rm -r doc src/math/Good.h src/math/Long.h scripts/long.sh config/long.yaml
 
 # The test runner adds up test cases and scripts, and says what failed.
 printf '#!/usr/bin/env bash\ntrue\n' > tests/math/good.sh

@@ -1,5 +1,5 @@
-# What the tests of make cluster share: programs that may be missing, a search and what it finds by itself, processes that have
-# to end, and a Slurm of their own that listens on loopback only.
+# What the tests of make cluster share: programs that may be missing, a search and what it finds by itself, and processes that have
+# to end. Also a Slurm of their own that listens on loopback only.
 # Where that is allowed, in a network of its own: mpirun listens for its daemons at all addresses, and nobody reaches them there.
 # Slurm's programs listen where the machine's name leads to; names lead nowhere without an address that is not loopback's.
 ownNetwork='ip link set lo up && ip link add nobody type dummy && ip address add 10.78.0.1/32 dev nobody &&
@@ -42,8 +42,8 @@ expectAsAlone() {
 results() { { sed 1d "$1/evaluations.jsonl" 2> /dev/null || true; } | wc -l; }
 hasResults() { (($(results "$1") >= $2)); }
 
-# Processes that this test started, whatever became of their parents, but those that have ended and wait for someone to notice:
-# what has its mark in its environment, or, as slurmstepd has no such, its folder. $1: a pattern of their names [all].
+# Processes that this test started, whatever became of their parents, but those that have ended and wait for someone to notice.
+# Each has its mark in its environment, or, as slurmstepd has no such, its folder. $1: a pattern of their names [all].
 left() {
   local pid name
   { grep -lsz "^PLUMBLINE_TEST=$scratch$" /proc/[0-9]*/environ || true
@@ -64,7 +64,7 @@ someLeft() { [[ $(left "$1") ]]; }
 noneLeft() { [[ -z $(left "${1-.*}") ]]; }
 # Waits for a command to succeed, and tells more than waitFor if it does not.
 waitLong() { comesTrue "$@" || { tellMore; fail "waited in vain for: $*"; }; }
-# Kills a process ($2) of a job of mpirun ($job) by a signal ($1): the job fails, and after 20 looks, a second of a machine with
+# Kills a process ($2) of a job of mpirun ($job) by a signal ($1). The job fails, and after 20 looks, a second of a machine with
 # nothing else to do, nothing of it runs whose name matches $3; $4: what the process is. On a busy machine each look waits as
 # those processes do.
 expectAllEnd() {

@@ -7,7 +7,7 @@
 namespace plumbline::bench {
 
 /// What a split came to, kept in a folder so that a run that was stopped goes on and a split can be run
-/// alone: <folder>/<robot>.<split>.<method>.json with "page" (Markdown), "figures", "closed", "mean",
+/// alone. The file is <folder>/<robot>.<split>.<method>.json with "page" (Markdown), "figures", "closed", "mean",
 /// "claimed" (null: blocks claim nothing of this kind) and "date".
 class KeptSplit {
 public:

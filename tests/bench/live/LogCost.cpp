@@ -1,5 +1,5 @@
-// What a log costs: the agent's thread, for all that a robot of the league knows in a cycle of a game, and
-// the thread that writes it, beside a bare stream of the same bytes.
+// What a log costs the agent's thread, for all that a robot of the league knows in a cycle of a game, and the
+// thread that writes it. Beside it a bare stream of the same bytes.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
