@@ -8,7 +8,7 @@ namespace plumbline::gap {
 
 double likeliestScale(const std::vector<double>& residuals, double least) {
   constexpr int rounds = 60;
-  constexpr double settled = 1e-4;
+  constexpr double maxChange = 1e-4;  // of the square, as a share of it, in the last round
   double squares = 0, n = 0;
   for (const double r : residuals)
     if (std::isfinite(r)) squares += r * r, ++n;
@@ -19,7 +19,7 @@ double likeliestScale(const std::vector<double>& residuals, double least) {
     for (const double r : residuals)
       if (std::isfinite(r)) sum += r * r / (tailFreedom + r * r / square);
     const double next = std::max((tailFreedom + 1) * sum / n, least * least);
-    const bool done = std::abs(next - square) <= settled * square;
+    const bool done = std::abs(next - square) <= maxChange * square;
     square = next;
     if (done) break;
   }
