@@ -16,7 +16,7 @@ namespace plumbline::training {
 /// WalkToPoseParameters; the file is SkillMoveToPos.yaml. The last metres are planned as its `plan` says.
 ///
 /// The cost of a run is the time until the robot has been there for 0.3 s, within 8 cm and 0.2 rad, and
-/// `fall` seconds for a fall. Options: type (all: types 0 to 4 by turns, or one of them), nearest (0.4),
+/// `fall` seconds for a fall. Options: type (all: all types by turns, or one of them), nearest (0.4),
 /// farthest (10) [m], fall (8) [s].
 class MoveToPosTask : public SearchTask {
 public:

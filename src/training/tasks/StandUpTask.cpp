@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
+#include "motion/StandUpChoice.h"
 #include "training/tasks/WalkOn.h"
 
 namespace plumbline::training {
@@ -46,7 +47,8 @@ StandUpTask::StandUpTask(const TaskOptions& options)
       still_(options.number("still", 0, 0, 1)),
       moving_(fallsInPlay(options)),
       worlds_(options, robotTypeOf(options, {"direction", "weight", "motion", "start", "still"})) {
-  const std::string usual = direction_ > 0 ? "standUpFront" : direction_ < 0 ? "standUpBack" : "rollOver";
+  const motion::StandUpParameters played;
+  const std::string& usual = direction_ > 0 ? played.front : direction_ < 0 ? played.back : played.side;
   try {
     first_ = worlds_.first().motion(options.word("motion", usual));
   } catch (const std::out_of_range& error) {
