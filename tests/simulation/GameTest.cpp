@@ -56,7 +56,7 @@ TEST(Game, mayEndTheSimulatorTenSecondsLater) {
   AgentCommand done;
   done.syn = true;
   std::string_view text;
-  while (agent.connection.receive(text, farOff) == simspark::Connection::Status::message) agent.send(done);
+  while (agent.connection.receive(text, 1) == simspark::Connection::Status::message) agent.send(done);
   server.join();
   EXPECT_NE(all.find("(pm GameOver)"), std::string::npos);
   EXPECT_NEAR(server.statistics().simulatedSeconds, 10.5, 0.2);
