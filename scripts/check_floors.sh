@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Checks that includes only point down the floors of src/ (doc/architecture.md), and that no other module includes a
-# platform's folders. Also that USES of each src/*/CMakeLists.txt is what its sources include from, that no folders include
-# each other in a circle, that no two headers have the same name, and that each module src/modules/AREA/NAME.h has its test
+# platform's folders. Also that USES of each src/*/CMakeLists.txt is what its sources include from and what the page has, that no folders include
+# each other in a circle and that no two headers have the same name. And that each module src/modules/AREA/NAME.h has its test
 # tests/modules/AREA/NAMETest.cpp.
 # Each offender: file:line: why. Example: scripts/check_floors.sh
 set -euo pipefail
@@ -54,6 +54,32 @@ awk -v platforms="$platforms" '
     }
   }
   END { exit bad }' $files < /dev/null || status=1
+
+# The table of folders in doc/architecture.md has USES, too; its remarks in brackets do not count.
+[[ ! -e doc/architecture.md ]] || awk '
+  function sorted(text,   n, i, j, w, t, all) {
+    n = split(text, w, /[ ,]+/)
+    for (i = 1; i <= n; ++i) for (j = i + 1; j <= n; ++j) if (w[j] < w[i]) { t = w[i]; w[i] = w[j]; w[j] = t }
+    for (i = 1; i <= n; ++i) if (w[i] != "" && w[i] != "-") all = all (all == "" ? "" : ", ") w[i]
+    return all
+  }
+  FILENAME ~ /[.]md$/ {
+    if (!/^\| `src\/[a-z]+\/` \|/) next
+    name = $0; sub(/^\| `src\//, "", name); sub(/\/.*/, "", name)
+    cell = $0; sub(/ *\| *$/, "", cell); sub(/.* \| /, "", cell); gsub(/\([^)]*\)/, "", cell)
+    written[name] = sorted(cell); line[name] = FNR
+    next
+  }
+  FNR == 1 { split(FILENAME, path, "/"); here = path[2] }
+  { sub(/#.*/, "") }
+  /plumbline_library\(/ { text = ""; listing = 1 }
+  listing { text = text " " $0; if (/\)/) { listing = 0
+    uses = text ~ / USES / ? text : ""; sub(/.* USES /, "", uses); sub(/ [A-Z_]+ .*/, "", uses); sub(/\).*/, "", uses)
+    if (!(here in line)) print "doc/architecture.md: the table of folders lacks src/" here "/"
+    else if (written[here] == sorted(uses)) next
+    else print "doc/architecture.md:" line[here] ": src/" here " uses " sorted(uses) ", not " written[here]
+    bad = 1 } }
+  END { exit bad }' doc/architecture.md $(grep -ls 'plumbline_library(' src/*/CMakeLists.txt | LC_ALL=C sort) || status=1
 
 # What a folder includes from is in USES of its CMakeLists.txt, or in USES of what that uses; each of USES is included from.
 libraries=$(grep -ls 'plumbline_library(' src/*/CMakeLists.txt | LC_ALL=C sort || true)

@@ -33,7 +33,7 @@ for name in "${names[@]}"; do
   log=$logs/cluster-$name.log begin=$SECONDS status=0
   echo "      $name: tail -f $log tells how far it is"
   # In the background, so that a signal is answered at once; timeout hands it on.
-  timeout -k 30 900 bash "tests/cluster/$name.sh" > "$log" 2>&1 < /dev/null &
+  timeout -k 30 3600 bash "tests/cluster/$name.sh" > "$log" 2>&1 < /dev/null &
   running=$!
   wait "$running" || status=$?
   running=""

@@ -1,10 +1,10 @@
 #!/usr/bin/env bash
-# Has the n-th write, sync, rename, open and allocation of each program fail, n = 1, 2, ... until the program makes fewer:
-# each must end with an error line and a status that is not 0, or do all it was to do, and leave no file half written.
+# Has the n-th write, sync, rename, open and allocation of each program fail, n = 1, 2, ... until the program makes fewer.
+# Each must end with an error line and a status that is not 0, or do all it was to do, and leave no file half written.
 # Writes fail once, and from the n-th on as on a full disk. Of allocations, which are many, the first from each place in the
 # program fails: a place is the five innermost return addresses of the call.
 #   scripts/faults.sh [--quick] [--list] [JOB]...      jobs [all]; --quick: a few jobs, the first calls of each
-# Variables: PLUMBLINE_BIN, where the programs are [bin]; MOST, calls of each kind [40]; ALLOCATIONS, places [24]; KINDS [all];
+# Variables: PLUMBLINE_BIN, where the programs are [bin]. MOST, calls of each kind [40]. ALLOCATIONS, places [24]. KINDS [all].
 # JOBS, how many jobs at once [one per core]. MOST=9999 ALLOCATIONS=9999 tries every call and place.
 # What was tried stands in build/faults/table.txt, what broke in build/faults/findings.txt.
 # Example: scripts/faults.sh gap_record logtool_cut

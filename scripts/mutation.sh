@@ -6,9 +6,9 @@
 #   --list         says what would be changed, and changes nothing
 #   --report       writes doc/results/mutation.md from what was tried
 #   --survivors    tries again what has survived, after tests were mended
-# Variables: SEED, of the choice and the order [1]; OPERATORS [200]; MOST, how many are tried in this run [all]; LONG=yes
-# runs tests/diagnosis as well, minutes each, where src/gap is changed; QUICK=yes leaves out what has to be compiled by
-# itself; JOBS for builds [one per core].
+# Variables: SEED, of the choice and the order [1]. OPERATORS [200]. MOST, how many are tried in this run [all]. LONG=yes
+# runs tests/diagnosis as well, minutes each, where src/gap is changed. QUICK=yes leaves out what has to be compiled by
+# itself. JOBS for builds [one per core].
 # It works in a copy of the tree, build/mutation/tree, where all changes stand at once behind switches; what cannot is
 # compiled by itself. What was tried is in build/mutation/results.txt: a run that was ended goes on there. Tests may
 # compute three times as long as they do without a change.

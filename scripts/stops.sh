@@ -3,11 +3,11 @@
 # that a seed draws. Each must end within a second with status 130 and a line that says so, or as usual. Nothing may be half
 # written, no temporary file and no process may be left. A program that continues its work must come to the same bytes.
 #   scripts/stops.sh [--quick] [--list] [JOB]...     jobs of tests/faults/jobs.bash [all]; --quick: a few jobs, four stops of each
-# Variables: STOPS, of each job [8]; SEED, of the places [1]; JOBS, how many jobs at once [one per core]; PLUMBLINE_BIN, where
+# Variables: STOPS, of each job [8]. SEED, of the places [1]. JOBS, how many jobs at once [one per core]. PLUMBLINE_BIN, where
 # the programs are [bin]. Signals are SIGINT and SIGTERM in turn. On a busy machine a second is as much longer as the load average
 # is above the number of cores; more than a second of CPU never passes.
-# The results are in build/stops/table.txt (uncaught: before or after the program's work, where the signal itself ends it;
-# longest: from the signal to the end; slow: took over a second once, but not again), what broke in build/stops/findings.txt.
+# What broke is in build/stops/findings.txt, the results in build/stops/table.txt. Its columns: uncaught: before or after the program's
+# work, where the signal itself ends it. longest: from the signal to the end. slow: took over a second once, but not again.
 # Example: STOPS=100 scripts/stops.sh gap_diagnose game
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"

@@ -1,5 +1,5 @@
 # The parameters that sources declare, for scripts/where.sh: name=default unit (range) of each PARAMETER(type, name, default,
-# "unit", range, "what it does"), the type of a PARAMETER_GROUP, and, but for -v macros=1, the members of structs
+# "unit", range, "what it does"), and the type of a PARAMETER_GROUP. Also, but for -v macros=1, the members of structs
 # that are called ...Options or ...Config.
 function trim(text) { gsub(/^[ \t]+|[ \t]+$/, "", text); return text }
 # Splits what stands between the macro's brackets at commas that are in no brackets and no text.

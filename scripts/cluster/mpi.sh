@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
-# A search as one job of Open MPI: bin/optserver at rank 0, a worker at every other one, and what they say to each other goes
+# A search as one job of Open MPI: bin/optserver at rank 0, a worker at every other one. What they say to each other goes
 # over MPI (bin/mpitunnel), so that no port is open between nodes. Everything of it is in FOLDER, which all nodes see.
 #   scripts/cluster/mpi.sh run STUDY FOLDER [OPTION...]             here and now; OPTION: of mpirun, as -n 8 --hostfile FILE
-#   scripts/cluster/mpi.sh submit STUDY FOLDER RANKS [OPTION...]    as a job of Slurm; OPTION: of sbatch, as --partition=short
-# A job that is preempted is queued again (--requeue); what was evaluated is kept, and the same command continues from it.
+#   scripts/cluster/mpi.sh submit STUDY FOLDER RANKS [OPTION...]    as a job of Slurm. OPTION: of sbatch, as --partition=short
+# A job that is preempted is queued again (--requeue). What was evaluated is kept, and the same command continues from it.
 # Examples:
 #   scripts/cluster/mpi.sh run config/optimisation/standUpFront.yaml ~/searches/front -n 8 --hostfile hosts
 #   scripts/cluster/mpi.sh submit config/optimisation/standUpFront.yaml ~/searches/front 31 --partition=short

@@ -30,7 +30,7 @@ void BinaryInStream::readUnsigned(std::uint64_t& value, unsigned bytes) {
   const char* data = take(bytes);
   if (!data) return;
   value = 0;
-  for (unsigned i = 0; i < bytes; i++) {
+  for (unsigned i = 0; i < bytes; ++i) {
     value |= std::uint64_t{static_cast<unsigned char>(data[i])} << (8 * i);
   }
 }

@@ -24,7 +24,7 @@ public:
   }
   void writeUnsigned(std::uint64_t value, unsigned bytes) override {
     char buffer[8];
-    for (unsigned i = 0; i < bytes; i++) buffer[i] = static_cast<char>(value >> (8 * i));
+    for (unsigned i = 0; i < bytes; ++i) buffer[i] = static_cast<char>(value >> (8 * i));
     sink_.append(buffer, bytes);
   }
   void writeBool(bool value) override { writeChar(value ? 1 : 0); }

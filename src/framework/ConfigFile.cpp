@@ -56,7 +56,7 @@ void takeOverMarks(const ConfigNode& before, const ConfigNode& now) {
   now.asked.insert(now.asked.end(), before.asked.begin(), before.asked.end());
   for (const auto& [name, child] : now.entries)
     if (const ConfigNode* same = before.find(name)) takeOverMarks(*same, child);
-  for (std::size_t i = 0; i < std::min(now.elements.size(), before.elements.size()); i++)
+  for (std::size_t i = 0; i < std::min(now.elements.size(), before.elements.size()); ++i)
     takeOverMarks(before.elements[i], now.elements[i]);
 }
 
@@ -78,7 +78,7 @@ ConfigFile::ConfigFile(const std::string& path) { load({path}); }
 
 void ConfigFile::load(const std::vector<std::string>& paths) {
   auto node = std::make_shared<ConfigNode>(loadYaml(paths.front()));
-  for (std::size_t i = 1; i < paths.size(); i++) layOver(*node, loadYaml(paths[i]));
+  for (std::size_t i = 1; i < paths.size(); ++i) layOver(*node, loadYaml(paths[i]));
   node_ = node;
   root_ = ConfigSection(node_, *node_);
 }

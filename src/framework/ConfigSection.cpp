@@ -134,7 +134,7 @@ std::size_t ConfigSection::choice(std::string_view key, const std::vector<std::s
   std::string word;
   readConfig(node, {}, word);
   std::string all;
-  for (std::size_t i = 0; i < words.size(); i++) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
     if (words[i] == word) return i;
     all += (i == 0 ? "" : i + 1 < words.size() ? ", " : " or ") + words[i];
   }

@@ -119,7 +119,7 @@ std::size_t Controller::runCycles(std::size_t count) {
   if (processes_.size() != 1) throw std::logic_error("runCycles runs agents of a single thread");
   processes_.front()->start();
   std::size_t done = 0;
-  for (; done < count && !stop_.requested(); done++) processes_.front()->cycle();
+  for (; done < count && !stop_.requested(); ++done) processes_.front()->cycle();
   processes_.front()->updateTiming();
   return done;
 }

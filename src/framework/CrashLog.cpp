@@ -45,7 +45,7 @@ void say(const char* text) {
 
 /// Waits for the writer, but not for ever: it might hang on a full disk. False: it is still there.
 bool waitForWriter() {
-  for (int i = 0; i < 3000; i++) {
+  for (int i = 0; i < 3000; ++i) {
     if (waitpid(writer, nullptr, WNOHANG) != 0) return true;
     const timespec millisecond{0, 1000000};
     nanosleep(&millisecond, nullptr);
@@ -110,7 +110,7 @@ void handle(int signal, siginfo_t* info, void*) {
   }
   say(note);
   waitForWriter();
-  for (std::size_t i = 0; i < caughtSignals.size(); i++) {
+  for (std::size_t i = 0; i < caughtSignals.size(); ++i) {
     if (caughtSignals[i] == signal) sigaction(signal, &previous[i], nullptr);
   }
   // A fault strikes again on return, then at the right place for a debugger or sanitizer; any other signal
@@ -234,7 +234,7 @@ CrashLog::CrashLog(const std::string& path, unsigned secondsToDie)
   action.sa_sigaction = handle;
   action.sa_flags = SA_SIGINFO | SA_ONSTACK;
   sigemptyset(&action.sa_mask);
-  for (std::size_t i = 0; i < caughtSignals.size(); i++) {
+  for (std::size_t i = 0; i < caughtSignals.size(); ++i) {
     sigaction(caughtSignals[i], &action, &previous[i]);
     // Who started the agent may have chosen to ignore a signal: then it is no death.
     if (previous[i].sa_handler == SIG_IGN) sigaction(caughtSignals[i], &previous[i], nullptr);
@@ -243,7 +243,7 @@ CrashLog::CrashLog(const std::string& path, unsigned secondsToDie)
 
 CrashLog::~CrashLog() {
   if (pipeToWriter < 0) return;
-  for (std::size_t i = 0; i < caughtSignals.size(); i++) sigaction(caughtSignals[i], &previous[i], nullptr);
+  for (std::size_t i = 0; i < caughtSignals.size(); ++i) sigaction(caughtSignals[i], &previous[i], nullptr);
   markFinished();
   close(pipeToWriter);
   pipeToWriter = -1;

@@ -41,7 +41,7 @@ void CrashRecord::add(std::string_view source, std::string_view message) {
 std::string CrashRecord::lastMessages() const {
   const std::uint64_t end = next_.load(std::memory_order_acquire);
   std::string result;
-  for (std::uint64_t number = end > messages ? end - messages : 1; number < end; number++) {
+  for (std::uint64_t number = end > messages ? end - messages : 1; number < end; ++number) {
     const Message& slot = messages_[number % messages];
     if (slot.number.load(std::memory_order_acquire) != number) continue;
     result.append(slot.text.data(), strnlen(slot.text.data(), messageLength));
@@ -51,7 +51,7 @@ std::string CrashRecord::lastMessages() const {
 }
 
 int CrashRecord::addThread(std::string_view name) {
-  for (std::size_t i = 0; i < threads; i++) {
+  for (std::size_t i = 0; i < threads; ++i) {
     if (threads_[i].taken.exchange(true)) continue;
     threads_[i].step = 0;
     copyText(threads_[i].name.data(), labelLength, name);
@@ -69,7 +69,7 @@ std::uint32_t CrashRecord::addStep(std::string_view label) {
   std::lock_guard lock(mutex);
   label = label.substr(0, labelLength - 1);
   const std::uint32_t count = std::min<std::uint32_t>(stepCount_, steps);
-  for (std::uint32_t i = 1; i < count; i++) {
+  for (std::uint32_t i = 1; i < count; ++i) {
     if (label == steps_[i].data()) return i;
   }
   if (count == steps) return 0;
@@ -89,7 +89,7 @@ const char* CrashRecord::stepOf(int thread) const {
 
 std::string CrashRecord::whereabouts() const {
   std::string result;
-  for (std::size_t i = 0; i < threads; i++) {
+  for (std::size_t i = 0; i < threads; ++i) {
     if (!threads_[i].taken) continue;
     const char* step = stepOf(static_cast<int>(i));
     result += "[" + std::string(threads_[i].name.data()) + "] ";

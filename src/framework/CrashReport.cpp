@@ -60,7 +60,7 @@ bool writeCrashReport(const CrashRecord& record, pid_t agent, const std::string&
     // This process has the agent's memory layout: the same program, forked.
     char** names = backtrace_symbols(record.calls.data(), calls);
     stream << "\nCalls, innermost first (addr2line -e PROGRAM +0x... gives the line):\n";
-    for (int i = 0; names && i < calls; i++) stream << names[i] << "\n";
+    for (int i = 0; names && i < calls; ++i) stream << names[i] << "\n";
     std::free(names);
   }
   stream << "\nLast messages, oldest first:\n" << record.lastMessages();

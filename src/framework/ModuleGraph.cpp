@@ -17,7 +17,7 @@ void appendKeys(std::vector<std::string>& names, const std::map<std::string, T>&
 
 std::string joined(const std::vector<std::string>& words, const std::string& last) {
   std::string result;
-  for (std::size_t i = 0; i < words.size(); i++) {
+  for (std::size_t i = 0; i < words.size(); ++i) {
     result += (i == 0 ? "" : i + 1 < words.size() ? ", " : last) + words[i];
   }
   return result;
@@ -48,7 +48,7 @@ public:
         checkInputs(thread, module);
       }
     }
-    for (std::size_t i = 0; i < plans_.size(); i++) {
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
       const std::vector<std::string>& order = config_.threads[i].order;
       std::ranges::stable_sort(plans_[i].modules, {}, [&](const ModulePlan& module) {
         return std::ranges::find(order, module.loader->description().name) - order.begin();
@@ -172,7 +172,7 @@ private:
   void checkCopy(const ThreadPlan& thread, const CopyPlan& copy) const {
     const std::string& name = copy.representation->name();
     std::size_t at = indexOf(copy.fromThread);
-    for (std::size_t hops = 0; hops <= plans_.size(); hops++) {
+    for (std::size_t hops = 0; hops <= plans_.size(); ++hops) {
       const auto provider = providers_[at].find(name);
       if (provider == providers_[at].end()) {
         fail(copy, "no provider for representation " + name + " in thread " + plans_[at].name +
@@ -211,7 +211,7 @@ private:
   }
 
   std::string remedy(const std::string& name) const {
-    for (std::size_t i = 0; i < plans_.size(); i++) {
+    for (std::size_t i = 0; i < plans_.size(); ++i) {
       if (providers_[i].count(name))
         return "; add \"" + plans_[i].name + " " + name + "\" to copy it from there";
     }

@@ -15,7 +15,7 @@ namespace {
 constexpr std::size_t maxListSize = 1 << 20, maxFiles = 100;
 
 bool isName(std::string_view text) {
-  for (std::size_t i = 0; i < text.size(); i++) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
     const auto c = static_cast<unsigned char>(text[i]);
     if (!std::isalpha(c) && c != '_' && (i == 0 || !std::isdigit(c))) return false;
   }

@@ -13,10 +13,10 @@ char lower(char c) { return static_cast<char>(std::tolower(static_cast<unsigned 
 unsigned editDistance(std::string_view a, std::string_view b) {
   // Optimal string alignment over three rows; costs in halves.
   std::vector<unsigned> before(b.size() + 1), last(b.size() + 1), row(b.size() + 1);
-  for (std::size_t j = 0; j <= b.size(); j++) last[j] = static_cast<unsigned>(2 * j);
-  for (std::size_t i = 1; i <= a.size(); i++) {
+  for (std::size_t j = 0; j <= b.size(); ++j) last[j] = static_cast<unsigned>(2 * j);
+  for (std::size_t i = 1; i <= a.size(); ++i) {
     row[0] = static_cast<unsigned>(2 * i);
-    for (std::size_t j = 1; j <= b.size(); j++) {
+    for (std::size_t j = 1; j <= b.size(); ++j) {
       const bool same = a[i - 1] == b[j - 1];
       const unsigned replace = same ? 0 : lower(a[i - 1]) == lower(b[j - 1]) ? 1 : 2;
       row[j] = std::min({last[j] + 2, row[j - 1] + 2, last[j - 1] + replace});

@@ -60,7 +60,7 @@ void read(InStream& in, T& value) {
 void OutStream::writeBlock(NumberType type, const void* data, std::size_t count) {
   withNumber(type, [&](auto value) {
     const char* at = static_cast<const char*>(data);
-    for (std::size_t i = 0; i < count; i++, at += sizeof value) {
+    for (std::size_t i = 0; i < count; ++i, at += sizeof value) {
       std::memcpy(&value, at, sizeof value);
       write(*this, value);
     }
@@ -70,7 +70,7 @@ void OutStream::writeBlock(NumberType type, const void* data, std::size_t count)
 void InStream::readBlock(NumberType type, void* data, std::size_t count) {
   withNumber(type, [&](auto value) {
     char* at = static_cast<char*>(data);
-    for (std::size_t i = 0; i < count && ok(); i++, at += sizeof value) {
+    for (std::size_t i = 0; i < count && ok(); ++i, at += sizeof value) {
       std::memcpy(&value, at, sizeof value);
       read(*this, value);
       std::memcpy(at, &value, sizeof value);

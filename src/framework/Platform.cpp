@@ -39,7 +39,7 @@ std::unique_ptr<Platform> Platforms::make(const std::string& name) {
 
 std::string chosenPlatform(int argc, const char* const* argv, const std::string& fallback) {
   constexpr std::string_view option = "--platform";
-  for (int i = 1; i < argc; i++) {
+  for (int i = 1; i < argc; ++i) {
     const std::string_view word = argv[i];
     if (word == "--") break;
     if (word == option && i + 1 < argc) return argv[i + 1];

@@ -77,7 +77,7 @@ void Process::makeSpecials() {
 }
 
 void Process::offerToSpecials() {
-  for (std::size_t i = 0; i < specials_.size(); i++) {
+  for (std::size_t i = 0; i < specials_.size(); ++i) {
     const auto offer = [&](const RepresentationLoader& loader) {
       specials_[i]->offer(loader, *find(loader.name()));
     };
@@ -132,8 +132,8 @@ void Process::initModule(Module& module, std::size_t index) {
 }
 
 void Process::init() {
-  for (std::size_t i = 0; i < modules_.size(); i++) connectModule(*modules_[i], i);
-  for (std::size_t i = 0; i < modules_.size(); i++) initModule(*modules_[i], i);
+  for (std::size_t i = 0; i < modules_.size(); ++i) connectModule(*modules_[i], i);
+  for (std::size_t i = 0; i < modules_.size(); ++i) initModule(*modules_[i], i);
   std::set<std::string> files;
   for (const ModulePlan& module : plan_.modules) {
     const ModuleDescription& description = module.loader->description();
@@ -170,7 +170,7 @@ void Process::reject(const Step& step, const std::string& problem) {
 
 void Process::remakeModules() {
   // Only behind the last step: what else a module provides in a cycle rests on its own execute.
-  for (std::size_t i = 0; i < modules_.size(); i++) {
+  for (std::size_t i = 0; i < modules_.size(); ++i) {
     const Module* old = modules_[i].get();
     if (std::find(rejected_.begin(), rejected_.end(), old) != rejected_.end()) resetModule(i);
   }
@@ -188,7 +188,7 @@ void Process::restart() {
       }
     }
   }
-  for (std::size_t i = 0; i < modules_.size(); i++) {
+  for (std::size_t i = 0; i < modules_.size(); ++i) {
     if (!plan_.modules[i].outputs.empty()) resetModule(i);
   }
 }

@@ -90,14 +90,14 @@ ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const Thre
       timing_(timing),
       stopwatchesOf_(modules.size()),
       ofModule_(modules.size()) {
-  for (std::size_t i = 0; i < modules.size(); i++) ofModule_[i].configured = valuesOf(i, *modules[i]);
+  for (std::size_t i = 0; i < modules.size(); ++i) ofModule_[i].configured = valuesOf(i, *modules[i]);
   for (const Step& step : info.steps) {
     ofStep_.push_back(nullptr);
     if (step.isExecute()) continue;
     ofStep_.back() = &values_.emplace_back(loaderOf(plan, step.representation));
     agent_.points.add(values_.back().point);
   }
-  for (std::size_t i = 0; i < plan.modules.size(); i++) {
+  for (std::size_t i = 0; i < plan.modules.size(); ++i) {
     const ModuleDescription& description = plan.modules[i].loader->description();
     description.parameters.visit(modules[i].get(), [&](const std::string& path, const Parameter& parameter,
                                                        const ParameterPointer& pointer) {
@@ -119,7 +119,7 @@ ProcessDebug::ProcessDebug(AgentDebug& agent, const ThreadPlan& plan, const Thre
 }
 
 void ProcessDebug::addCommands(const std::vector<std::string>& files) {
-  for (std::size_t i = 0; i < plan_.modules.size(); i++)
+  for (std::size_t i = 0; i < plan_.modules.size(); ++i)
     commands_.emplace_back("reset:" + plan_.modules[i].loader->description().name, "", i);
   for (const std::string& file : files) commands_.emplace_back("reload:" + file, file, 0);
   for (Command& command : commands_) agent_.points.add(command.point);
@@ -147,7 +147,7 @@ ProcessDebug::~ProcessDebug() {
 }
 
 void ProcessDebug::addStopwatches() {
-  for (std::size_t i = 0; i < modules_.size(); i++) {
+  for (std::size_t i = 0; i < modules_.size(); ++i) {
     const auto& stopwatches = modules_[i]->debugStopwatches();
     if (stopwatches.size() == stopwatchesOf_[i]) continue;
     bool all = true;

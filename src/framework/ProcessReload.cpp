@@ -42,7 +42,7 @@ std::string Process::remakeReaders(const std::string& file, const std::function<
     bool parametersAlone;
   };
   std::vector<Next> all;
-  for (std::size_t i = 0; i < modules_.size(); i++) {
+  for (std::size_t i = 0; i < modules_.size(); ++i) {
     if (!reads(i, file)) continue;
     const std::string& name = plan_.modules[i].loader->description().name;
     all.push_back({i, makeModule(i), !config_.filesOf(name).contains(file)});

@@ -22,7 +22,7 @@ bool allFinite(const void* data, std::size_t count) {
   for (; count >= step; count -= step, at += sizeof bits) {
     std::memcpy(bits, at, sizeof bits);
     Bits found = 0;
-    for (std::size_t i = 0; i < step; i++)
+    for (std::size_t i = 0; i < step; ++i)
       found |= (bits[i] & exponent<Bits>) == exponent<Bits> ? Bits{1} : Bits{0};
     bad |= found;
   }

@@ -19,12 +19,12 @@ struct Edge {
 /// For each module, the modules of the same thread that must come before it.
 std::vector<std::vector<Edge>> edges(const ThreadPlan& thread) {
   std::map<std::string, std::size_t> providers;
-  for (std::size_t i = 0; i < thread.modules.size(); i++) {
+  for (std::size_t i = 0; i < thread.modules.size(); ++i) {
     for (const ModuleOutput* output : thread.modules[i].outputs)
       providers[output->representation->name()] = i;
   }
   std::vector<std::vector<Edge>> result(thread.modules.size());
-  for (std::size_t i = 0; i < thread.modules.size(); i++) {
+  for (std::size_t i = 0; i < thread.modules.size(); ++i) {
     for (const ModuleInput& input : thread.modules[i].inputs) {
       const auto provider = providers.find(input.representation);
       if (input.kind == ModuleInput::Kind::used || provider == providers.end()) continue;
@@ -61,7 +61,7 @@ void sortModules(ThreadPlan& thread) {
   std::vector<std::vector<std::size_t>> after(count);
   std::vector<std::size_t> missing(count);
   std::set<std::size_t> ready;
-  for (std::size_t i = 0; i < count; i++) {
+  for (std::size_t i = 0; i < count; ++i) {
     missing[i] = before[i].size();
     for (const Edge& edge : before[i]) after[edge.from].push_back(i);
     if (missing[i] == 0) ready.insert(i);
@@ -79,7 +79,7 @@ void sortModules(ThreadPlan& thread) {
     thread.modules = std::move(sorted);
     return;
   }
-  for (std::size_t i = 0; i < count; i++) {
+  for (std::size_t i = 0; i < count; ++i) {
     const auto cycle = shortestCycle(before, i);
     if (cycle.empty()) continue;
     const auto name = [&](std::size_t module) { return thread.modules[module].loader->description().name; };

@@ -22,7 +22,7 @@ double Stopwatch::percentile(double part) const {
   if (n == 0) return 0;
   const auto wanted = std::clamp<double>(std::ceil(part * static_cast<double>(n)), 1, static_cast<double>(n));
   std::uint64_t seen = 0;
-  for (std::size_t i = 0; i < binCount; i++) {
+  for (std::size_t i = 0; i < binCount; ++i) {
     seen += bins_[i].load(std::memory_order_relaxed);
     if (static_cast<double>(seen) >= wanted) return std::min(1e-9 * upperEnd(i), max());
   }

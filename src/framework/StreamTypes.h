@@ -261,12 +261,12 @@ struct StreamType<T> {
     if constexpr (BlockNumber<Scalar>) {
       if (out.flat()) {
         std::array<Scalar, size> rowByRow;
-        for (int i = 0; i < size; i++) rowByRow[i] = value.coeff(i / columns, i % columns);
+        for (int i = 0; i < size; ++i) rowByRow[i] = value.coeff(i / columns, i % columns);
         out.writeBlock(numberType<Scalar>(), rowByRow.data(), size);
         return out.endObject();
       }
     }
-    for (int i = 0; i < size; i++) {
+    for (int i = 0; i < size; ++i) {
       if constexpr (isVector) {
         if (size <= 4) out.label(names[i < 4 ? i : 0]);
         StreamType<Scalar>::write(out, value.coeff(i));
@@ -284,11 +284,11 @@ struct StreamType<T> {
       if (in.flat() && in.ok()) {
         std::array<Scalar, size> rowByRow{};
         in.readBlock(numberType<Scalar>(), rowByRow.data(), size);
-        for (int i = 0; i < size && in.ok(); i++) value.coeffRef(i / columns, i % columns) = rowByRow[i];
+        for (int i = 0; i < size && in.ok(); ++i) value.coeffRef(i / columns, i % columns) = rowByRow[i];
         return in.endObject();
       }
     }
-    for (int i = 0; i < size && in.ok(); i++) {
+    for (int i = 0; i < size && in.ok(); ++i) {
       if constexpr (isVector) {
         if (size <= 4) in.label(names[i < 4 ? i : 0]);
         if (in.ok()) StreamType<Scalar>::read(in, value.coeffRef(i));

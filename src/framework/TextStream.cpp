@@ -78,7 +78,7 @@ void TextOutStream::writeString(std::string_view text) { quoted(text, '"'); }
 
 void TextOutStream::writeRaw(const void* data, std::size_t size) {
   std::string digits = "#";
-  for (std::size_t i = 0; i < size; i++) {
+  for (std::size_t i = 0; i < size; ++i) {
     const auto byte = static_cast<const unsigned char*>(data)[i];
     digits.push_back(hexDigits[byte >> 4]);
     digits.push_back(hexDigits[byte & 15]);
@@ -104,7 +104,7 @@ void TextOutStream::label(std::string_view name) {
 
 void TextInStream::skip() {
   bool inLabel = false;
-  for (; position_ < text_.size(); position_++) {
+  for (; position_ < text_.size(); ++position_) {
     const char c = text_[position_];
     if (inLabel) {
       inLabel = c != ']';
@@ -120,7 +120,7 @@ void TextInStream::unexpected(std::string_view expected) {
   std::string message = "expected " + std::string(expected) + ", found ";
   if (position_ >= text_.size()) return fail(message + "the end");
   std::string found;
-  for (std::size_t i = position_; i < text_.size() && found.size() < 20; i++) {
+  for (std::size_t i = position_; i < text_.size() && found.size() < 20; ++i) {
     const char c = text_[i];
     if (c == ' ' || c == '\n' || (i > position_ && (c == '{' || c == '}'))) break;
     found.push_back(static_cast<unsigned char>(c) < 0x20 ? '?' : c);
@@ -211,7 +211,7 @@ bool TextInStream::readQuoted(std::string& value, char quote) {
     return false;
   }
   std::string result;
-  for (position_++; position_ < text_.size() && text_[position_] != quote; position_++) {
+  for (position_++; position_ < text_.size() && text_[position_] != quote; ++position_) {
     char c = text_[position_];
     if (c == '\\' && position_ + 1 < text_.size()) {
       c = text_[++position_];
@@ -253,7 +253,7 @@ void TextInStream::readRaw(void* data, std::size_t size) {
   for (const char c : text.substr(1)) {
     if (hexDigit(c) < 0) return unexpected("# and hexadecimal digits");
   }
-  for (std::size_t i = 0; i < size; i++) {
+  for (std::size_t i = 0; i < size; ++i) {
     static_cast<unsigned char*>(data)[i] =
         static_cast<unsigned char>(16 * hexDigit(text[2 * i + 1]) + hexDigit(text[2 * i + 2]));
   }

@@ -5,7 +5,7 @@ namespace plumbline {
 void ThreadCopy::add(const RepresentationLoader& loader, const Representation& source,
                      Representation& target) {
   Entry entry{&loader, &source, &target, {}, {}};
-  for (std::size_t i = 0; i < 3; i++) {
+  for (std::size_t i = 0; i < 3; ++i) {
     entry.owners[i] = loader.create();
     entry.copies[i] = &entry.owners[i]->get();
   }

@@ -41,7 +41,7 @@ void TimingPlugin::addWait(std::size_t step, std::uint64_t waited) {
 
 std::size_t TimingPlugin::longest() const {
   std::vector<std::uint64_t> worked(steps_.size());
-  for (std::size_t i = 0; i < worked.size(); i++) worked[i] = times_.of(i);
+  for (std::size_t i = 0; i < worked.size(); ++i) worked[i] = times_.of(i);
   for (const auto& [step, waited] : waits_) worked[step] -= waited;
   return static_cast<std::size_t>(std::ranges::max_element(worked) - worked.begin());
 }

@@ -14,7 +14,7 @@ class StopSignal;
 namespace plumbline::game {
 
 struct GameOptions {
-  int type = 0;  ///< of the robot, 0..4
+  int type = 0;  ///< of the robot, as simsparkRobots
   unsigned seed = 1;
   double limit = 300;          ///< simulated [s]
   bool web = false;            ///< the simulator shows the game on a page

@@ -20,7 +20,7 @@ int runProgram(int argc, char** argv) {
   CommandLine app(
       "One robot, a ball and a goal: starts the embedded simulator and an agent and watches them.");
   app.option("--type", options.type, "robot type: N of config/robots/simspark_typeN.json")
-      .range(0, 9)
+      .range(0, maxSimsparkTypes - 1)
       .showDefault();
   app.option("--seed", options.seed, "the same seed repeats the run, from 1")
       .range(1u, 4000000000u)

@@ -270,7 +270,7 @@ int runProgram(int argc, char** argv) {
       "direction, then "
       "speeds and feedback for any mixture, and the recovery from pushes.");
   app.option("--type", options.type, "robot type: N of config/robots/simspark_typeN.json")
-      .range(0, 9)
+      .range(0, maxSimsparkTypes - 1)
       .showDefault();
   app.option("--robot", options.robot,
              "instead of a type: a robot with position servos, by the name of its file in config/robots");
@@ -306,7 +306,7 @@ int runProgram(int argc, char** argv) {
              "folder of the walking.yaml to begin with; default: the type's in config/");
   app.flag("--anew", options.anew, "begins with the same parameters in all directions");
   app.option("--corners-of", options.cornersOf, "begins with the directions found for another type")
-      .range(0, 9);
+      .range(0, maxSimsparkTypes - 1);
   const CommandOption choose =
       app.flag("--choose", options.choose,
                "reduces the omnidirectional walk and each sprint (of the file and of the search) until "

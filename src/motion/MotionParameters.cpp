@@ -8,6 +8,7 @@
 #include "framework/CommentLines.h"
 #include "math/Angle.h"
 #include "motion/KeyframeReader.h"
+#include "robot/BodyJoints.h"
 
 namespace plumbline::motion {
 namespace {
@@ -38,7 +39,7 @@ MotionParameters::MotionParameters(KeyframeMotion motion, const RobotModel& robo
         std::max(longest, 1e3 * frame.seconds), timeSigma);
     if (frame.settleSeconds > 0)
       add({i, Place::What::settle}, "settle" + number, 1e3 * frame.settleSeconds, 0, longest, settleSigma);
-    for (int j = lShoulderPitch; j < maxJoints; ++j) {
+    for (int j = firstBodyJoint; j < maxJoints; ++j) {
       const auto joint = static_cast<JointId>(j);
       if (!frame.set[joint] || !robot.has(joint)) continue;
       const bool both = sides_ == Sides::together && mirrors(frame, joint, robot);

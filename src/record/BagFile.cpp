@@ -52,7 +52,7 @@ BagFile::BagFile(const std::string& path, const std::vector<RecordedThread>& thr
   Statement definition(database_, "INSERT INTO message_definitions VALUES(NULL, ?, 'ros2msg', ?, '')");
   std::vector<std::string> defined;
   std::int64_t id = 1;
-  for (std::size_t t = 0; t < threads.size(); t++) {
+  for (std::size_t t = 0; t < threads.size(); ++t) {
     const RecordedThread& thread = threads[t];
     std::string steps;
     for (const std::string& step : thread.steps) steps += step + '\n';

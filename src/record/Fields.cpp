@@ -18,7 +18,7 @@ public:
     const std::size_t length = path_.size();
     switch (schema.kind) {
       case Schema::Kind::object:
-        for (std::size_t i = 0; i < schema.parts.size(); i++) {
+        for (std::size_t i = 0; i < schema.parts.size(); ++i) {
           const std::string& label = schema.parts[i].label;
           path_ += label.empty() ? '[' + std::to_string(i) + ']' : '.' + label;
           walk(schema.parts[i]);

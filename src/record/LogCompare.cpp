@@ -43,7 +43,7 @@ bool alike(const FieldValue& a, const FieldValue& b, double tolerance) {
 bool differs(const Schema& leftForm, const std::string& left, const Schema& rightForm,
              const std::string& right, double tolerance, LogDifference& difference) {
   const auto a = valuesOf(leftForm, left), b = valuesOf(rightForm, right);
-  for (std::size_t i = 0; i < std::max(a.size(), b.size()); i++) {
+  for (std::size_t i = 0; i < std::max(a.size(), b.size()); ++i) {
     const bool both = i < a.size() && i < b.size() && a[i].path == b[i].path;
     if (both && alike(a[i].value, b[i].value, tolerance)) continue;
     difference.field = i < a.size() ? a[i].path : b[i].path;
@@ -91,7 +91,7 @@ private:
   std::vector<Pair> pairsOf(const LogReader::Thread& left, const LogReader::Thread& right) {
     std::vector<Pair> pairs;
     const auto &ours = left.recorded.topics, &theirs = right.recorded.topics;
-    for (std::size_t i = 0; i < ours.size(); i++) {
+    for (std::size_t i = 0; i < ours.size(); ++i) {
       const std::string& name = ours[i].representation;
       if (!wanted(name)) continue;
       const auto other = std::ranges::find(theirs, name, &RecordedTopic::representation);

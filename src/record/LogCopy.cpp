@@ -49,7 +49,7 @@ std::vector<RecordedThread> chosen(const LogReader& log, const std::vector<std::
   for (const LogReader::Thread& thread : log.threads()) {
     threads.push_back({thread.recorded.name, thread.recorded.steps, {}});
     topics.emplace_back();
-    for (std::size_t i = 0; i < thread.recorded.topics.size(); i++) {
+    for (std::size_t i = 0; i < thread.recorded.topics.size(); ++i) {
       const RecordedTopic& topic = thread.recorded.topics[i];
       names.push_back(topic.representation);
       if (!only.empty() && std::ranges::find(only, topic.representation) == only.end()) continue;
@@ -74,7 +74,7 @@ void sameThreads(const LogReader& first, const LogReader& other) {
     throw std::runtime_error(other.path() + " cannot be appended to " + first.path() + ": " + what);
   };
   if (first.threads().size() != other.threads().size()) fail("it has other threads");
-  for (std::size_t t = 0; t < first.threads().size(); t++) {
+  for (std::size_t t = 0; t < first.threads().size(); ++t) {
     const RecordedThread &a = first.threads()[t].recorded, &b = other.threads()[t].recorded;
     if (a.name != b.name) fail("it has other threads");
     for (const RecordedTopic& topic : a.topics) {
@@ -131,11 +131,11 @@ std::uint64_t joinLogs(const std::vector<std::string>& paths, const std::string&
   std::vector<std::uint64_t> last(threads.size(), 0);  // number of each thread's
   std::int64_t lastTime = 0;
   CycleView view;
-  for (std::size_t l = 0; l < logs.size(); l++) {
+  for (std::size_t l = 0; l < logs.size(); ++l) {
     LogReader& log = *logs[l];
     std::vector<std::uint64_t> shift(threads.size(), 0);
     std::int64_t firstTime = std::numeric_limits<std::int64_t>::max();
-    for (std::size_t t = 0; t < threads.size(); t++) {
+    for (std::size_t t = 0; t < threads.size(); ++t) {
       const auto& cycles = log.threads()[t].cycles;
       if (cycles.empty()) continue;
       firstTime = std::min(firstTime, cycles.front().timestamp);

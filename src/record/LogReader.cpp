@@ -69,7 +69,7 @@ LogReader::LogReader(const std::string& path) : path_(path) {
   for (const std::string& file : filesOf(path)) open(file);
   for (Thread& thread : threads_) {
     // Files of several recordings, one after the other, would look like one.
-    for (std::size_t i = 1; i < thread.cycles.size(); i++)
+    for (std::size_t i = 1; i < thread.cycles.size(); ++i)
       if (thread.cycles[i].number <= thread.cycles[i - 1].number)
         throw std::runtime_error(path_ + ": cycle " + std::to_string(thread.cycles[i].number) +
                                  " comes behind cycle " + std::to_string(thread.cycles[i - 1].number));
@@ -179,7 +179,7 @@ void LogReader::readWhole(const Thread& thread, std::size_t cycle, std::vector<s
   messages.assign(thread.recorded.topics.size(), {});
   std::size_t from = cycle;
   while (from > 0 && !thread.cycles[from].complete) from--;
-  for (; from <= cycle; from++)
+  for (; from <= cycle; ++from)
     read(thread, thread.cycles[from],
          [&](std::size_t topic, std::string_view message) { messages[topic].assign(message); });
 }

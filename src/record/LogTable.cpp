@@ -18,7 +18,7 @@ void collect(const Schema& schema, const std::string& path, std::vector<std::str
     paths.push_back(path);  // a list, too: one cell
     return;
   }
-  for (std::size_t i = 0; i < schema.parts.size(); i++) {
+  for (std::size_t i = 0; i < schema.parts.size(); ++i) {
     const std::string& label = schema.parts[i].label;
     collect(schema.parts[i], path + (label.empty() ? '[' + std::to_string(i) + ']' : '.' + label), paths);
   }
@@ -73,7 +73,7 @@ std::vector<LogColumn> logColumns(const LogReader& log, const LogReader::Thread&
   std::vector<LogColumn> columns;
   std::vector<std::string> known;
   std::vector<bool> used(names.size(), false);
-  for (std::size_t topic = 0; topic < thread.recorded.topics.size(); topic++) {
+  for (std::size_t topic = 0; topic < thread.recorded.topics.size(); ++topic) {
     const RecordedTopic& recorded = thread.recorded.topics[topic];
     known.push_back(recorded.representation);
     std::vector<std::string> paths;
@@ -82,14 +82,14 @@ std::vector<LogColumn> logColumns(const LogReader& log, const LogReader::Thread&
       const std::string name = recorded.representation + path;
       known.push_back(name);
       bool wanted = names.empty();
-      for (std::size_t i = 0; i < names.size(); i++) {
+      for (std::size_t i = 0; i < names.size(); ++i) {
         if (!isBelow(name, names[i])) continue;
         wanted = used[i] = true;
       }
       if (wanted) columns.push_back({topic, path, name});
     }
   }
-  for (std::size_t i = 0; i < names.size(); i++)
+  for (std::size_t i = 0; i < names.size(); ++i)
     if (!used[i]) throw std::runtime_error(log.path() + " has no " + names[i] + suggestion(names[i], known));
   return columns;
 }
@@ -98,14 +98,14 @@ std::uint64_t writeCsv(LogReader& log, const LogReader::Thread& thread, const st
                        const LogPart& part, std::ostream& out, const Progress& progress) {
   std::vector<Cells> cells(thread.recorded.topics.size());
   std::string line = "time,cycle";
-  for (std::size_t i = 0; i < columns.size(); i++) {
+  for (std::size_t i = 0; i < columns.size(); ++i) {
     cells[columns[i].topic].add(columns[i].path, i);
     line += ',' + cell(columns[i].name);
   }
   out << line << '\n';
   std::vector<std::string> row(columns.size()), messages(cells.size());
   std::uint64_t lines = 0;
-  for (std::size_t c = 0; c < thread.cycles.size(); c++) {
+  for (std::size_t c = 0; c < thread.cycles.size(); ++c) {
     StopSignal::throwIfCaught();
     if (progress && c % 256 == 0)
       progress(static_cast<double>(c) / static_cast<double>(thread.cycles.size()));

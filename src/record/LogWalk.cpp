@@ -13,7 +13,7 @@ bool LogWalk::next(Step& step) {
   const auto& threads = log_.threads();
   std::size_t best = threads.size();
   const LogReader::Cycle* first = nullptr;
-  for (std::size_t t = 0; t < threads.size(); t++) {
+  for (std::size_t t = 0; t < threads.size(); ++t) {
     if (at_[t] >= threads[t].cycles.size()) continue;
     const LogReader::Cycle& cycle = threads[t].cycles[at_[t]];
     if (first && std::pair(first->file, first->first) <= std::pair(cycle.file, cycle.first)) continue;

@@ -84,7 +84,7 @@ void LogWriter::write(const CycleView& cycle) {
   const bool complete = ++thread.sinceComplete > completeEvery;
   if (complete) thread.sinceComplete = 1;
   file_->beginCycle(cycle.thread, cycle.number, cycle.timestamp, complete);
-  for (std::size_t i = 0; i < cycle.messages.size(); i++) {
+  for (std::size_t i = 0; i < cycle.messages.size(); ++i) {
     const std::string_view message = cycle.messages[i];
     if (!complete && thread.topics[i].last == message) continue;
     file_->add(cycle.thread, i, message);
@@ -129,12 +129,12 @@ void LogWriter::writeMetadata() const {
       last = any ? std::max(last, file.last) : file.last;
       any = true;
     }
-    for (std::size_t t = 0; t < counts.size(); t++)
-      for (std::size_t i = 0; i < counts[t].size(); i++) counts[t][i] += file.messagesOf[t][i];
+    for (std::size_t t = 0; t < counts.size(); ++t)
+      for (std::size_t i = 0; i < counts[t].size(); ++i) counts[t][i] += file.messagesOf[t][i];
   }
   std::string topics;
-  for (std::size_t t = 0; t < threads_.size(); t++) {
-    for (std::size_t i = 0; i < threads_[t].topics.size(); i++) {
+  for (std::size_t t = 0; t < threads_.size(); ++t) {
+    for (std::size_t i = 0; i < threads_[t].topics.size(); ++i) {
       const std::string& name = threads_[t].topics[i].representation;
       topics += "    - topic_metadata:\n        name: /" + threads_[t].name + '/' + name +
                 "\n        type: " + messageType(name) +

@@ -51,9 +51,9 @@ void Recorder::fail(const std::string& error) {
 
 bool Recorder::drain() {
   bool any = false;
-  for (std::size_t i = 0; i < threads_.size(); i++) {
+  for (std::size_t i = 0; i < threads_.size(); ++i) {
     // Takes only what was there: so the other threads have their turn, and the end is noticed.
-    for (int taken = 0; taken < 1000 && threads_[i]->take(view_); taken++) {
+    for (int taken = 0; taken < 1000 && threads_[i]->take(view_); ++taken) {
       any = true;
       view_.thread = i;
       if (failed_) {

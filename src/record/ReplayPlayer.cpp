@@ -34,7 +34,7 @@ ReplayPlayer::ReplayPlayer(const std::string& path, const std::string& thread)
 
 void ReplayPlayer::provide(const RepresentationLoader& loader, Representation& target) {
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < topics_.size(); i++) {
+  for (std::size_t i = 0; i < topics_.size(); ++i) {
     const RecordedTopic& topic = thread_.recorded.topics[i];
     names.push_back(topic.representation);
     if (topic.representation != loader.name()) continue;
@@ -54,13 +54,13 @@ void ReplayPlayer::plan(const ThreadPlan& plan) {
   late_.clear();
   std::vector<std::vector<std::size_t>> late(plan.modules.size() + 1);
   bool any = false;
-  for (std::size_t i = 0; i < topics_.size(); i++) {
+  for (std::size_t i = 0; i < topics_.size(); ++i) {
     const RecordedTopic& topic = thread_.recorded.topics[i];
     if (!topics_[i].target) continue;
     const std::size_t updated = placeOf(steps, topic.provider + ":update" + topic.representation);
     if (updated == behindAll) continue;  // it was there when the cycle began
     std::size_t before = 0;
-    for (std::size_t m = 0; m < plan.modules.size(); m++) {
+    for (std::size_t m = 0; m < plan.modules.size(); ++m) {
       const ModulePlan& module = plan.modules[m];
       const auto input = std::ranges::find(module.inputs, topic.representation, &ModuleInput::representation);
       if (input == module.inputs.end()) continue;

@@ -19,7 +19,7 @@ std::string fieldName(const std::string& label) {
     return kind(static_cast<unsigned char>(label[i])) != 0;
   };
   std::string name;
-  for (std::size_t i = 0; i < label.size(); i++) {
+  for (std::size_t i = 0; i < label.size(); ++i) {
     const bool wordBegins =
         i > 0 && is(i, std::isupper) && (is(i - 1, std::islower) || is(i - 1, std::isdigit));
     if ((wordBegins || label[i] == '_') && !name.empty() && name.back() != '_') name += '_';
@@ -48,7 +48,7 @@ class Definitions {
 public:
   std::string all(const std::string& name, const Schema& schema) {
     std::string text = message(name, schema);
-    for (std::size_t i = 0; i < others_.size(); i++) {  // grows
+    for (std::size_t i = 0; i < others_.size(); ++i) {  // grows
       const auto [type, part] = others_[i];
       const std::string body = message(type, part);
       text += std::string(80, '=') + "\nMSG: " + messagePackage + "/" + type + '\n' + body;
@@ -81,7 +81,7 @@ private:
 
   std::string other(const std::string& wanted, const Schema& schema) {
     std::string name = wanted;
-    for (int number = 2;; number++) {
+    for (int number = 2;; ++number) {
       const auto [entry, isNew] = known_.try_emplace(name, schema);
       if (isNew) {
         others_.emplace_back(name, schema);
@@ -98,7 +98,7 @@ private:
     std::set<std::string> taken;
     const auto field = [&](const Schema& part, const std::string& label) {
       std::string wanted = fieldName(label), fieldIs = wanted;
-      for (int number = 2; !taken.insert(fieldIs).second; number++) fieldIs = wanted + std::to_string(number);
+      for (int number = 2; !taken.insert(fieldIs).second; ++number) fieldIs = wanted + std::to_string(number);
       text += typeOf(part, name + typeName(label)) + ' ' + fieldIs + '\n';
     };
     if (schema.kind != Schema::Kind::object || schema.isArray()) {

@@ -24,7 +24,7 @@ void ThreadRecorder::record(std::int64_t timestamp) {
   out_.append(&header, sizeof(header));
   const std::size_t sizes = out_.size();
   out_.append(sizes_.data(), sizes_.size() * sizeof(std::uint32_t));
-  for (std::size_t i = 0; i < values_.size(); i++) {
+  for (std::size_t i = 0; i < values_.size(); ++i) {
     out_.begin();
     values_[i]->stream(nullptr, &out_);
     if (out_.messageSize() == CdrOutStream::headerSize) out_.writeBool(false);  // without members
@@ -48,7 +48,7 @@ bool ThreadRecorder::take(CycleView& cycle) {
   cycle.timestamp = header.timestamp;
   cycle.messages.clear();
   std::size_t at = sizeof(header) + values_.size() * sizeof(std::uint32_t);
-  for (std::size_t i = 0; i < values_.size(); i++) {
+  for (std::size_t i = 0; i < values_.size(); ++i) {
     std::uint32_t size = 0;
     std::memcpy(&size, taken_.data() + sizeof(header) + i * sizeof(size), sizeof(size));
     cycle.messages.push_back(std::string_view(taken_).substr(at, size));

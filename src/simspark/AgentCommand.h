@@ -10,7 +10,7 @@
 
 namespace plumbline::simspark {
 
-/// Asks for a robot: the scene file names its kind, the number its type 0..4.
+/// Asks for a robot: the scene file names its kind, the number its type, as simsparkRobots.
 struct SceneRequest {
   std::string file = "rsg/agent/nao/nao_hetero.rsg";
   int type = 0;

@@ -18,7 +18,7 @@ std::vector<RobotModel> readAll() {
   std::vector<RobotModel> robots;
   std::error_code none;
   try {
-    for (int type = 0; type < mostSimsparkTypes && std::filesystem::exists(fileOf(type), none); ++type)
+    for (int type = 0; type < maxSimsparkTypes && std::filesystem::exists(fileOf(type), none); ++type)
       robots.push_back(Humanoid(readMechanism(fileOf(type))).model());
   } catch (const std::exception& error) {
     throw ConfigurationError(errorLine(error));

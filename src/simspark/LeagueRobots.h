@@ -6,16 +6,16 @@
 
 namespace plumbline {
 
+/// A monitor's scene has one digit for the type.
+constexpr int maxSimsparkTypes = 10;
+
 /// The league's robot types, by the number that the wire has for them: config/robots/simspark_type0.json and
-/// so on, as many as follow each other, at most ten (a monitor's scene has one digit for them). They are read
-/// once, when they are first asked for. Throws ConfigurationError for files that cannot be used.
+/// so on, as many as follow each other, at most maxSimsparkTypes. They are read once, when they are first
+/// asked for. Throws ConfigurationError for files that cannot be used.
 const std::vector<RobotModel>& simsparkRobots();
 
 /// How many there are.
 int numSimsparkTypes();
-
-/// No more than so many are looked for.
-inline constexpr int mostSimsparkTypes = 10;
 
 /// One of them. Throws ConfigurationError for another number; the text says which there are.
 const RobotModel& simsparkRobot(int type);

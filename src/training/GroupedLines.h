@@ -7,7 +7,7 @@
 namespace plumbline::training {
 
 /// Lines of a YAML file for numbers with paths as ParameterList::visit names them: those of a group,
-/// "walk.maxTurn", stand together below its name; "keeps" is in none. `digits` are written.
+/// "walk.maxTurn", stand together below its name; "leaveTolerances" is in none. `digits` are written.
 class GroupedLines {
 public:
   explicit GroupedLines(std::string indent, int digits = 5) : indent_(std::move(indent)), digits_(digits) {}

@@ -11,6 +11,7 @@
 #include "framework/ModuleParameters.h"
 #include "math/Angle.h"
 #include "motion/KeyframeReader.h"
+#include "robot/BodyJoints.h"
 #include "simspark/LeagueRobots.h"
 #include "training/FeltFeet.h"
 #include "training/WalkingRobot.h"
@@ -142,7 +143,7 @@ void MotionDriver::forget() {
 
 JointArray MotionDriver::jitter(double size) {
   JointArray angles = stand;
-  for (int j = lShoulderPitch; j < maxJoints; ++j) {
+  for (int j = firstBodyJoint; j < maxJoints; ++j) {
     const auto joint = static_cast<JointId>(j);
     if (!model.has(joint)) continue;
     const Link& link = model.linkMovedBy(joint);

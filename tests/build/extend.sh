@@ -1,13 +1,13 @@
 #!/usr/bin/env bash
-# One of each is added by files alone: a copy of the tree is built with a folder outside of it, which holds what the pages
-# of doc/how-to show, to the letter: module, representation, behaviour, skill, motion, effect (of the diagnosis and of the
-# league's simulator), robot, physics engine, engine for servo robots, optimiser, platform, rule of the referee; and a robot that
-# walks. Each has to be there then. ccache serves all that the tree was built from; without it this would take long. Without
+# One of each is added by files alone. A copy of the tree is built with a folder outside of it, which holds what the pages
+# of doc/how-to show, to the letter. They are module, representation, behaviour, skill, motion, effect (of the diagnosis and of the
+# league's simulator). Also robot, physics engine, engine for servo robots, optimiser, platform, rule of the referee, and a robot that
+# walks. Each has to be there then. ccache serves all that the tree was built from; without it the test fails. Without
 # PLUMBLINE_SLOW only the agent is built: module, representation, behaviour, skill, motion and platform.
 source "$(dirname "$0")/../e2e/assert.bash"
 if ! command -v ccache > /dev/null || [[ ${CCACHE-yes} == "" ]]; then
-  echo "left out: without ccache all of src/ would be compiled once more"
-  exit 0
+  echo "extend.sh: there is no ccache, and without it all of src/ would be compiled once more: install ccache, or do not set CCACHE empty" >&2
+  exit 1
 fi
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES V
 root=$PWD tree=$scratch/tree ours=$scratch/ours config=$scratch/config
@@ -62,7 +62,7 @@ grep -q 'that a bow takes' "$scratch/parameters" || fail "the motion's parameter
 # The platform runs an agent: a motion is played to its end.
 mkdir "$tree/config/platforms/still"
 cp "$scratch/still.cfg" "$tree/config/platforms/still/modules.cfg"
-timeout 300 "$bin/agent" --platform still --cycle 0.04 --motion wave --once --stats "$scratch/stats.json" > "$scratch/log" 2>&1 || fail "the platform: $(cat "$scratch/log")"
+within 300 "$bin/agent" --platform still --cycle 0.04 --motion wave --once --stats "$scratch/stats.json" > "$scratch/log" 2>&1 || fail "the platform: $(cat "$scratch/log")"
 (($(sed -n 's/.*"cycles": *\([0-9]*\).*/\1/p' "$scratch/stats.json") > 50)) || fail "the platform's agent: $(cat "$scratch/stats.json")"
 expectError 2 'agent: --platform stil: unknown platform; did you mean "still"?' "$bin/agent" --platform stil
 
@@ -82,24 +82,24 @@ grep -q '"verdict": "effect"' "$scratch/answer.json" || fail "the verdict: $(cat
 robots=$tree/config/robots
 sed 's/"name": "nao_v5"/"name": "walker"/; /^  "Head": {/,/}/ s/"mass": [0-9.]*/"mass": 0.5/' "$robots/nao_v5.json" > "$robots/walker.json"
 cmp -s "$robots/walker.json" "$robots/nao_v5.json" && fail "the robot is not another one"
-timeout 300 "$bin/optimizewalk" --robot walker --task forward --generations 2 --population 4 --tries 1 --seconds 2 > "$scratch/log" 2>&1 ||
+within 300 "$bin/optimizewalk" --robot walker --task forward --generations 2 --population 4 --tries 1 --seconds 2 > "$scratch/log" 2>&1 ||
   fail "optimizewalk of a new robot: $(cat "$scratch/log")"
 [[ -s $robots/walker/walking.yaml ]] || fail "the robot has no walk"
 printf 'about: a second\nbase: free\nlead_in: 1\nwalk: {forward: 0.1, duration: 1}\nlead_out: 1\n' > "$scratch/second.yaml"
 expectError 2 'gap: there is no engine bullet-fin; did you mean "bullet-fine"?' \
   "$bin/gap" record --robot walker --program "$scratch/second.yaml" --engine bullet-fin -o "$scratch/walk"
 for engine in bullet bullet-fine; do
-  timeout 300 "$bin/gap" record --robot walker --program "$scratch/second.yaml" --engine $engine -o "$scratch/walk-$engine" > "$scratch/log" 2>&1 ||
+  within 300 "$bin/gap" record --robot walker --program "$scratch/second.yaml" --engine $engine -o "$scratch/walk-$engine" > "$scratch/log" 2>&1 ||
     fail "a walk in $engine: $(cat "$scratch/log")"
 done
 cmp -s "$scratch"/walk-{bullet,bullet-fine}/run.csv.gz && fail "the engine's own steps do not show"
 
 # The engine steps a world; the optimiser searches a walk.
 expectError 2 'simulator: unknown physics engine "foo"; there are: ode, ode-dense, bullet, ode-soft' "$bin/simulator" --engine foo
-timeout 60 "$bin/simulator" --engine ode-soft --no-realtime --wait-agents 0 --max-seconds 1 --port 0 --monitor-port 0 > "$scratch/log" 2>&1 < /dev/null || fail "simulator: $(cat "$scratch/log")"
+within 60 "$bin/simulator" --engine ode-soft --no-realtime --wait-agents 0 --max-seconds 1 --port 0 --monitor-port 0 > "$scratch/log" 2>&1 < /dev/null || fail "simulator: $(cat "$scratch/log")"
 # The league's effect acts on its robots, and what there is names it.
 printf 'effects:\n  - {effect: gyro_gain, at: imu, value: 1.5}\n' > "$scratch/gyro.yaml"
-timeout 60 "$bin/simulator" --effects "$scratch/gyro.yaml" --no-realtime --wait-agents 0 --max-seconds 1 --port 0 --monitor-port 0 > "$scratch/log" 2>&1 < /dev/null ||
+within 60 "$bin/simulator" --effects "$scratch/gyro.yaml" --no-realtime --wait-agents 0 --max-seconds 1 --port 0 --monitor-port 0 > "$scratch/log" 2>&1 < /dev/null ||
   fail "the league's effect: $(cat "$scratch/log")"
 printf 'effects:\n  - {effect: gyro_gain, at: imu, value: 3}\n' > "$scratch/gyro.yaml"
 expectError 2 "simulator: $scratch/gyro.yaml:2: effects[0].value is 3; gyro_gain goes from 0.5 to 2" "$bin/simulator" --effects "$scratch/gyro.yaml"

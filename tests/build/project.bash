@@ -1,6 +1,7 @@
 # For the tests of the build: a small project in a folder of its own, built by the real scripts.
 # Sourced by tests/build/*.sh; the working directory becomes that project.
 set -uo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/../support/far-off.bash"
 repository=$(cd "$(dirname "${BASH_SOURCE[0]}")/../.." && pwd)
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES JOBS V
 export CCACHE="" LC_ALL=C

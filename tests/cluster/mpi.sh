@@ -12,7 +12,7 @@ expectError 2 "mpitunnel: the worker's command is missing: -- SERVER -- WORKER; 
 "$tunnel" --help | grep -q "mpirun -n 4" || fail "no example in its help"
 expectError 2 "mpi.sh: $scratch/none.yaml: no such study" scripts/cluster/mpi.sh run "$scratch/none.yaml" "$scratch/none"
 expectError 2 'mpi.sh: RANKS is "1" and must be a number from 2 to 9999' scripts/cluster/mpi.sh submit "$scratch/none.yaml" "$scratch/none" 1
-run() { timeout 60 mpirun -n "$1" "$tunnel" "${@:2}" > "$scratch/run.out" 2> "$scratch/run.err"; }
+run() { timeout "$farOff" mpirun -n "$1" "$tunnel" "${@:2}" > "$scratch/run.out" 2> "$scratch/run.err"; }
 status=0
 run 1 -- true -- true || status=$?
 expectEqual "$status" 2 "status of one rank alone"
@@ -21,13 +21,13 @@ grep -qx "mpitunnel: one rank alone has nobody to carry anything to: mpirun -n 2
 echo "the server's status is the whole's"
 for wanted in 0 7; do
   status=0
-  run 3 --grace 0.1 -- sh -c "exit $wanted" -- sleep 100 || status=$?
+  run 3 --grace 0.1 -- sh -c "exit $wanted" -- sleep 3600 || status=$?
   expectEqual "$status" "$wanted" "status"
 done
 # Longer than any rank waits for MPI's farewell: who has ended its worker waits for the others.
-run 3 --grace 7 -- sleep 0.3 -- sh -c '[ {rank} = 1 ] || sleep 100' || fail "status $? where a worker ends late: $(< "$scratch/run.err")"
+run 3 --grace 7 -- sleep 0.3 -- sh -c '[ {rank} = 1 ] || sleep 3600' || fail "status $? where a worker ends late: $(< "$scratch/run.err")"
 status=0
-run 3 -- sleep 100 -- no-such-command || status=$?
+run 3 -- sleep 3600 -- no-such-command || status=$?
 expectEqual "$status" 2 "status with a command that is not there"
 grep -q "mpitunnel: rank [12]: cannot start no-such-command: No such file or directory" "$scratch/run.err" || fail "$(< "$scratch/run.err")"
 
@@ -108,7 +108,7 @@ for victim in "KILL rank 2" "KILL rank 0" "TERM rank 1" "TERM mpirun" "INT mpiru
   read -r signal what number <<< "$victim"
   before=$(results "$scratch/farm")
   setsid mpirun -n 4 "$tunnel" -- "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/farm" --port {port} -- \
-    sh -c "sleep 1000 & $bin/optworker --port {port}; wait" > "$scratch/killed.out" 2>&1 & job=$!
+    sh -c "sleep 3600 & $bin/optworker --port {port}; wait" > "$scratch/killed.out" 2>&1 & job=$!
   waitLong hasResults "$scratch/farm" $((before + 15))
   main=$(left mpirun | sed 's/ .*//')
   pid=$main

@@ -7,6 +7,8 @@
 #include <chrono>
 #include <thread>
 
+#include "support/FarOff.h"
+
 namespace plumbline::dds {
 namespace {
 
@@ -23,7 +25,8 @@ ParticipantOptions options(const std::string& token = "") {
 }
 
 template <typename Condition>
-bool becomes(Condition condition, std::chrono::seconds limit = 20s) {
+bool becomes(Condition condition,
+             std::chrono::duration<double> limit = std::chrono::duration<double>(farOff)) {
   const auto end = std::chrono::steady_clock::now() + limit;
   while (!condition()) {
     if (std::chrono::steady_clock::now() > end) return false;

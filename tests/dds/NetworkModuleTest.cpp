@@ -13,6 +13,7 @@
 #include "framework/Controller.h"
 #include "framework/LogBuffer.h"
 #include "framework/Module.h"
+#include "support/FarOff.h"
 
 namespace plumbline {
 
@@ -81,12 +82,11 @@ double ballOf(const Agent& agent) { return agent.controller->find<ShownBall>()->
 
 /// Runs both until the second has a value of the first that is greater than `above`.
 bool arrives(Agent& from, Agent& to, double above = 0) {
-  for (int i = 0; i < 5000 && ballOf(to) <= above; ++i) {
+  return comesTrue([&] {
     from.controller->runCycles(1);
     to.controller->runCycles(1);
-    std::this_thread::sleep_for(1ms);
-  }
-  return ballOf(to) > above;
+    return ballOf(to) > above;
+  });
 }
 
 TEST(NetworkModule, providesWhatAnotherAgentShows) {
@@ -125,11 +125,11 @@ TEST(NetworkModule, takesNothingThatItCannotRead) {
   const dds::TopicName topic{"plumbline/red/ShownBall", "plumbline::ShownBall"};
   dds::ByteReader tap(participant, topic);
   dds::Sample good;
-  for (int i = 0; i < 5000 && good.bytes.empty(); ++i) {
+  ASSERT_TRUE(comesTrue([&] {
     red.controller->runCycles(1);
-    std::this_thread::sleep_for(1ms);
     tap.take(good);
-  }
+    return !good.bytes.empty();
+  }));
   ASSERT_GT(good.bytes.size(), 8u);
   std::this_thread::sleep_for(50ms);
   blue.controller->runCycles(1);
@@ -163,20 +163,18 @@ TEST(NetworkModule, takesNothingThatItCannotRead) {
   }
   // The infinite one once more: the log says what is wrong with it.
   const std::string wanted = "what red sends as ShownBall is left out: x: must be finite, not inf";
-  for (int i = 0; i < 2000 && said.find(wanted) == std::string::npos; ++i) {
+  EXPECT_TRUE(comesTrue([&] {
     writer.write(dds::Sample{1, head + bytesOf(infinite)});
-    std::this_thread::sleep_for(5ms);
     blue.controller->runCycles(1);
-  }
-  EXPECT_NE(said.find(wanted), std::string::npos) << said;
+    return said.find(wanted) != std::string::npos;
+  })) << said;
   LogBuffer::instance().setListener(nullptr);
   dds::Sample sample{1, head + whole};
   ASSERT_TRUE(writer.write(sample));
-  for (int i = 0; i < 2000 && ballOf(blue) != 1e6; ++i) {
-    std::this_thread::sleep_for(1ms);
+  EXPECT_TRUE(comesTrue([&] {
     blue.controller->runCycles(1);
-  }
-  EXPECT_EQ(ballOf(blue), 1e6) << "a good one after bad ones is taken";
+    return ballOf(blue) == 1e6;
+  })) << "a good one after bad ones is taken";
 }
 
 void expectRefused(const std::string& modules, const std::string& config, const std::string& text) {

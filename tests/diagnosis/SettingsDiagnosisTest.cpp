@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "gap/SomeTraces.h"
+#include "gap/LeagueTraces.h"
 #include "gap/settings/SettingsAnswer.h"
 
 namespace plumbline::gap {

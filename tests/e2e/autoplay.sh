@@ -10,7 +10,8 @@ cp bin/start.sh bin/kill.sh "$scratch/bin"
 ln -s "$bin/agent" "$scratch/bin/agent"
 start="$scratch/bin/start.sh {host} --config $PWD/config --players"
 left() { pgrep -f "$scratch" > /dev/null; }
-nothingLeft() { local i; for ((i = 0; i < 60; ++i)); do left || return 0; sleep 0.1; done; pgrep -af "$scratch" >&2; fail "left behind after $1"; }
+# 600 looks are a minute and more: a machine with nothing else to do needs a few, and no process is given more than 30 s to end.
+nothingLeft() { local i; for ((i = 0; i < 600; ++i)); do left || return 0; sleep 0.1; done; pgrep -af "$scratch" >&2; fail "left behind after $1"; }
 column() { awk -F, -v name="$2" 'NR == 1 { for (i = 1; i <= NF; ++i) if ($i == name) c = i } END { print $c }' "$1"; } # of the last game
 
 # A whole game, and the same again by its seed. What happened in it comes from the scene.

@@ -60,7 +60,7 @@ expectEqual "$(grep -cx -e --requeue "$scratch/options")" 2 "jobs that are queue
 
 lines() { wc -l < "$scratch/farm/evaluations.jsonl" 2> /dev/null || echo 0; }
 # Until so many results, or what is asked, however busy the machine is.
-until_() { local i; for ((i = 0; i < 6000; ++i)); do "$@" && return 0; sleep 0.05; done; fail "waited in vain for: $*: $(tail -3 "$scratch"/farm/*.log)"; }
+until_() { comesTrue "$@" && return 0; fail "waited in vain for: $*: $(tail -3 "$scratch"/farm/*.log)"; }
 atLeast() { (($(lines) >= $1)); }
 until_ atLeast 40
 # Preempted: the server and one worker, each with its whole job; both come back, the server at another port.

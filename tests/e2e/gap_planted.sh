@@ -1,4 +1,4 @@
-# A sealed set made of recordings of a real robot (here of a simulated one that has a cause of its own): causes are
+# A sealed set made of recordings of a real robot (here of a simulated one that has a cause of its own). Causes are
 # planted in it, and the score counts what answers say beyond the recordings' own.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 arm=tests/e2e/gap/arm.json

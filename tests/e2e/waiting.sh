@@ -2,18 +2,6 @@
 # signal ends every program at once.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 
-# Ends a process by a signal. It may compute for a second, and be there for 200 looks, four seconds of a machine with
-# nothing else to do: on a busy one, each look waits as the process does.
-endsBy() { # signal, pid, what
-  local looks before; before=$(computed "$2")
-  kill "-$1" "$2"
-  for ((looks = 0; looks < 200; ++looks)); do
-    kill -0 "$2" 2> /dev/null || return 0
-    (($(computed "$2") - before <= 100)) || fail "$3 computes on after SIG$1"
-    sleep 0.02
-  done
-  fail "$3 does not end by SIG$1"
-}
 server() { # name, options...
   local name=$1; shift
   "$bin/simulator" --port "${port:-0}" --monitor-port 0 --ports-file "$scratch/$name" "$@" > "$scratch/$name.out" 2> "$scratch/$name.log" &

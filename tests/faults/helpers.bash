@@ -36,7 +36,7 @@ chooseJobs() {
   done
 }
 
-# Makes the library and the folder `out` of what is told.
+# Makes the library and the folder `out` for the lists of faults.
 begin() { # folder
   out=${FAULTS_OUT:-$1}
   mkdir -p "$out"
@@ -103,7 +103,7 @@ prepareJob() {
   fi
   cp -a "$scratch/template" "$scratch/good"
   playJob "$name" "$scratch/good" count
-  mv "$scratch/told" "$scratch/calls" 2> /dev/null || { echo "no calls were counted: $(tail -1 "$scratch/err")" >> "$scratch/err"; return 1; }
+  mv "$scratch/faults" "$scratch/calls" 2> /dev/null || { echo "no calls were counted: $(tail -1 "$scratch/err")" >> "$scratch/err"; return 1; }
   goodStatus=$status
   cp "$scratch/out" "$scratch/good.out"
   expected "$name" "$status" || { echo "status $status without a fault: $(tail -1 "$scratch/err")" >> "$scratch/err"; return 1; }
@@ -111,11 +111,11 @@ prepareJob() {
 expected() { if declare -F "$1"_expects > /dev/null; then "$1"_expects "$2"; else (($2 == 0)); fi; }
 callsOf() { awk -v kind="$1" '$1 == kind { n = $2 } END { print n + 0 }' "$scratch/calls"; }
 
-# Runs a job once in a folder with a fault; leaves its status, $scratch/err and the faults that came in $scratch/told.
+# Runs a job once in a folder with a fault; leaves its status, $scratch/err and the faults that came in $scratch/faults.
 playJob() { # job, folder, fault
-  rm -f "$scratch/told"
+  rm -f "$scratch/faults"
   local faulty=() # the library is in every program that the job starts, and works in the one that the job is of
-  [[ ! $3 ]] || faulty=(FAULT="$3" FAULT_LOG="$scratch/told" FAULT_PROGRAM="${programOf[$1]}" FAULT_PATIENCE=$patience
+  [[ ! $3 ]] || faulty=(FAULT="$3" FAULT_LOG="$scratch/faults" FAULT_PROGRAM="${programOf[$1]}" FAULT_PATIENCE=$patience
     LD_PRELOAD="$library" ${placesWanted:+FAULT_PLACES="$scratch/places"})
   # Standard output goes to a pipe: it is a terminal's or a pipe's in life, and a file's faults are another matter.
   (cd "$2" && if [[ $3 ]]; then export "${faulty[@]}"; fi && "$1"_run) 2> "$scratch/err" < /dev/null | cat > "$scratch/out"
@@ -160,7 +160,7 @@ tryFault() { # job, fault
   local name=$1 file last program=${programOf[$1]}
   freshWork
   playJob "$name" "$scratch/work" "$2"
-  [[ -s $scratch/told ]] || return 0 # fewer calls than in the run before, which is no matter
+  [[ -s $scratch/faults ]] || return 0 # fewer calls than in the run before, which is no matter
   tries=$((tries + 1)) tried=$((tried + 1))
   if ((status == 137 || status == 142 || status == 143)); then finding "$name" "$2" "hangs"; return; fi
   if ((status >= 128 && status != 130)); then finding "$name" "$2" "dies by signal $((status - 128)): $(tail -1 "$scratch/err")"; return; fi
@@ -259,7 +259,7 @@ stopAfterStart() { # seconds, command...: interrupts it so long after its first 
   waitFor $patience hasSaid started.out $program
   pause "$1"
   # A second signal would end at once a program that `make stops` has stopped already.
-  [[ ${stopped-} && -s $scratch/told ]] || kill -INT $program 2> /dev/null
+  [[ ${stopped-} && -s $scratch/faults ]] || kill -INT $program 2> /dev/null
   wait $program
   result=$?
   rm -f started.out

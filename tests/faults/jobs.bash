@@ -1,8 +1,8 @@
 # What is tried with faults: job NAME PROGRAM, then in functions of the job's name what makes its folder
-# (NAME_prepare), what runs (NAME_run) and what must hold whatever happened (NAME_check; the files of NAME_outputs are as
-# they were, as they should be, or not there; with a ? their content differs from run to run). NAME_resumes names files that
+# (NAME_prepare), what runs (NAME_run) and what must hold whatever happened (NAME_check. The files of NAME_outputs are as
+# they were, as they should be, or not there. With a ? their content differs from run to run). NAME_resumes names files that
 # the same command comes to after a kill; what a job with NAME_prints prints is all it does. Of signals: NAME_ends are further
-# statuses that one may end with, NAME_keeps patterns of what it may leave to go on from; `stopped` is set: agents and workers
+# statuses that one may end with, NAME_keeps patterns of what it may leave to go on from. `stopped` is set: agents and workers
 # then end with status 0 before their work is done. Sourced after helpers.bash; $bin has the programs, $tree the tree.
 all="write sync rename open malloc"
 quick=() jobs=()

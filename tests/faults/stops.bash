@@ -2,7 +2,7 @@
 # From the signal to the end [us]: a second, and as much longer as the machine has more to run than cores.
 longest() { awk -v cores="$(nproc)" '{ print int(1e6 * ($1 > cores ? $1 / cores : 1)) }' /proc/loadavg; }
 
-noted() { awk -v what="$1" '$1 == what { n = $2 } END { print n == "" ? 0 : n }' "$scratch/told"; }
+noted() { awk -v what="$1" '$1 == what { n = $2 } END { print n == "" ? 0 : n }' "$scratch/faults"; }
 
 # Plays a job with a signal; leaves `took`, from the signal to the program's end [us].
 playStop() { # job, place, signal
@@ -11,7 +11,7 @@ playStop() { # job, place, signal
   mkdir "$scratch/tmp"
   TMPDIR=$scratch/tmp playJob "$1" "$scratch/work" "$2^$3"
   local ended=${EPOCHREALTIME/./}
-  [[ -s $scratch/told ]] || return 1 # it ended before it came there
+  [[ -s $scratch/faults ]] || return 1 # it ended before it came there
   # A program that the signal itself ends writes no time: then it is the shell's, with what it does besides.
   (($(noted ended) == 0)) || ended=$(noted ended)
   took=$((ended - $(noted sent)))
@@ -30,7 +30,7 @@ playStopAgain() { # job, place, signal
 }
 
 # Whatever has this job's library.
-processesLeft() { grep -lazxs "FAULT_LOG=$scratch/told" /proc/[0-9]*/environ | xargs -r grep -lazxs "LD_PRELOAD=$library"; }
+processesLeft() { grep -lazxs "FAULT_LOG=$scratch/faults" /proc/[0-9]*/environ | xargs -r grep -lazxs "LD_PRELOAD=$library"; }
 noneLeft() { [[ ! $(processesLeft) ]]; }
 
 filesOf() { (cd "$1" && find . -mindepth 1 | LC_ALL=C sort); }

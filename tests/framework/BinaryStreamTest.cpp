@@ -43,7 +43,7 @@ TEST(BinaryStreamTest, readsBackWhatItWrote) {
 
 TEST(BinaryStreamTest, everyShorterInputIsAnErrorThatChangesNothing) {
   const std::string bytes = toBinary(Everything());
-  for (std::size_t size = 0; size < bytes.size(); size++) {
+  for (std::size_t size = 0; size < bytes.size(); ++size) {
     Everything value;
     value.small = 42;
     EXPECT_NE(fromBinary(std::string_view(bytes).substr(0, size), value), "") << size;
@@ -120,7 +120,7 @@ struct Tree {
 
 TEST(BinaryStreamTest, depthIsBounded) {
   std::string bytes, text;
-  for (int i = 0; i < 1000; i++) {
+  for (int i = 0; i < 1000; ++i) {
     bytes += std::string("\1\0\0\0", 4);
     text += "{{";
   }

@@ -222,10 +222,10 @@ TEST_F(ConfigFileTest, namesBrokenFiles) {
   EXPECT_EQ(errorOf(std::string((4 << 20) + 1, '#'), nothing), "A.yaml: is larger than 4 MB");
   // A small file that unfolds to 10^9 values.
   std::string bomb = "a0: &a0 [1,1,1,1,1,1,1,1,1,1]\n";
-  for (int i = 1; i < 9; i++) {
+  for (int i = 1; i < 9; ++i) {
     const std::string before = "*a" + std::to_string(i - 1);
     bomb += "a" + std::to_string(i) + ": &a" + std::to_string(i) + " [" + before;
-    for (int j = 1; j < 10; j++) bomb += "," + before;
+    for (int j = 1; j < 10; ++j) bomb += "," + before;
     bomb += "]\n";
   }
   EXPECT_EQ(errorOf(bomb, nothing), "A.yaml:5: more than 100000 values");

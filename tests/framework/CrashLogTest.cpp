@@ -17,6 +17,7 @@
 
 #include "framework/LogBuffer.h"
 #include "framework/TestModules.h"
+#include "support/FarOff.h"
 
 namespace plumbline {
 
@@ -52,7 +53,7 @@ public:
     if (wayToDie() == "terminate") raise(SIGTERM);
     if (wayToDie() == "ctrl-c twice") {
       raise(SIGINT);
-      usleep(400000);
+      usleep(400000);  // longer than two signals are one wish; a busy machine only adds to it
       raise(SIGINT);
     }
     if (wayToDie() == "with its starter") {
@@ -134,7 +135,7 @@ protected:
   }
   /// The second process may still be writing when the agent is gone.
   void waitForLog() const {
-    for (int i = 0; i < 3000 && !hasLog(); i++) std::this_thread::sleep_for(std::chrono::milliseconds(10));
+    EXPECT_TRUE(comesTrue([this] { return hasLog(); }));
   }
   bool hasLog() const { return std::filesystem::exists(folder + "/crash.log"); }
 

@@ -135,7 +135,7 @@ TEST(DebugSiteTest, requestsComeAndGoWhileThreadsPass) {
   };
   visit(0);
   std::thread one(work), two(work);
-  for (int i = 0; i < 2000; i++) {
+  for (int i = 0; i < 2000; ++i) {
     const auto request = std::make_shared<Count>();
     DebugPoints::sites().attach("test:output", request);
     DebugPoints::sites().detach("test:output", request);

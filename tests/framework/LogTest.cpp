@@ -87,7 +87,7 @@ TEST(CrashRecordTest, keepsTheLastMessages) {
   record->add("A", "first");
   record->add("B", "second");
   EXPECT_EQ(record->lastMessages(), "[A] first\n[B] second\n");
-  for (std::size_t i = 0; i < CrashRecord::messages; i++) record->add("C", std::to_string(i));
+  for (std::size_t i = 0; i < CrashRecord::messages; ++i) record->add("C", std::to_string(i));
   const std::string text = record->lastMessages();
   EXPECT_EQ(text.substr(0, 12), "[C] 0\n[C] 1\n");
   EXPECT_EQ(std::count(text.begin(), text.end(), '\n'), static_cast<long>(CrashRecord::messages));
@@ -102,9 +102,9 @@ TEST(CrashRecordTest, cutsLongMessages) {
 TEST(CrashRecordTest, manyThreadsMayAdd) {
   const auto record = std::make_unique<CrashRecord>();
   std::vector<std::thread> threads;
-  for (int t = 0; t < 3; t++) {
+  for (int t = 0; t < 3; ++t) {
     threads.emplace_back([&, t] {
-      for (int i = 0; i < 100; i++) record->add("T" + std::to_string(t), "message");
+      for (int i = 0; i < 100; ++i) record->add("T" + std::to_string(t), "message");
     });
   }
   for (auto& thread : threads) thread.join();
@@ -124,7 +124,7 @@ TEST(CrashRecordTest, knowsWhereThreadsAre) {
   record->removeThread(first);
   EXPECT_EQ(record->addThread("other"), first);
   EXPECT_EQ(record->addStep("BallLocator:execute"), 1u);
-  for (std::size_t i = 0; i < 2 * CrashRecord::threads; i++) record->addThread("many");
+  for (std::size_t i = 0; i < 2 * CrashRecord::threads; ++i) record->addThread("many");
   EXPECT_EQ(record->addThread("too many"), -1);
   record->setStep(-1, 1);  // has no place: nothing happens
 }

@@ -58,9 +58,9 @@ TEST(RepresentationProblemTest, namesTheFirstNumberThatIsNotFinite) {
 
 TEST(RepresentationProblemTest, noPlaceInABlockIsLeftOut) {
   for (const double wrong : {inf, -inf, std::numeric_limits<double>::quiet_NaN()}) {
-    for (std::size_t size = 1; size < 40; size++) {
+    for (std::size_t size = 1; size < 40; ++size) {
       CheckedShares value;
-      for (std::size_t at = 0; at < size; at++) {
+      for (std::size_t at = 0; at < size; ++at) {
         bool numbers = false;
         value.shares.assign(size, std::numeric_limits<double>::max());
         value.map = SharedBlock<float>(size, -std::numeric_limits<float>::max());

@@ -38,10 +38,10 @@ TEST(SharedBlockTest, aBlockRenewedInEachCycleUsesItsMemoryAgain) {
   SharedBlock<float> made(1000);
   std::array<SharedBlock<float>, 4> onTheirWay;
   std::vector<const float*> places;
-  for (std::size_t cycle = 0; cycle < 40; cycle++) {
+  for (std::size_t cycle = 0; cycle < 40; ++cycle) {
     made.renew(1000)[0] = static_cast<float>(cycle);
     onTheirWay[cycle % onTheirWay.size()] = made;
-    for (std::size_t back = 0; back < std::min(cycle + 1, onTheirWay.size()); back++)
+    for (std::size_t back = 0; back < std::min(cycle + 1, onTheirWay.size()); ++back)
       ASSERT_EQ(onTheirWay[(cycle - back) % onTheirWay.size()][0], static_cast<float>(cycle - back));
     if (std::ranges::find(places, made.values().data()) == places.end())
       places.push_back(made.values().data());
@@ -71,7 +71,7 @@ TEST(SharedBlockTest, goesFromThreadToThread) {
   std::atomic<int> written{0}, read{0};
   bool whole = true;
   std::thread reader([&] {
-    for (int i = 0; i < cycles; i++) {
+    for (int i = 0; i < cycles; ++i) {
       while (written.load(std::memory_order_acquire) <= i) std::this_thread::yield();
       const SharedBlock<int> mine = slots[static_cast<std::size_t>(i) % 2];
       read.store(i + 1, std::memory_order_release);
@@ -79,7 +79,7 @@ TEST(SharedBlockTest, goesFromThreadToThread) {
     }
   });
   SharedBlock<int> made;
-  for (int i = 0; i < cycles; i++) {
+  for (int i = 0; i < cycles; ++i) {
     std::ranges::fill(made.renew(64), i);
     while (read.load(std::memory_order_acquire) < i - 1) std::this_thread::yield();
     slots[static_cast<std::size_t>(i) % 2] = made;

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 #include <poll.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <chrono>
 #include <csignal>
@@ -9,6 +11,7 @@
 #include <thread>
 
 #include "framework/Parallel.h"
+#include "support/FarOff.h"
 
 namespace plumbline {
 namespace {
@@ -34,7 +37,7 @@ TEST(StopSignalTest, wakesWhoPolls) {
   StopSignal stop;
   std::thread other([&] { stop.request(1, "other"); });
   pollfd entry{stop.fileDescriptor(), POLLIN, 0};
-  EXPECT_EQ(poll(&entry, 1, 10000), 1);
+  EXPECT_EQ(poll(&entry, 1, static_cast<int>(1000 * farOff)), 1);
   EXPECT_TRUE(stop.requested());
   other.join();
 }
@@ -73,6 +76,7 @@ TEST(StopSignalTest, aSecondSignalEndsTheProcess) {
         StopSignal stop;
         stop.catchSignals();
         raise(SIGINT);
+        // Longer than two signals are one wish; a busy machine only adds to it.
         std::this_thread::sleep_for(std::chrono::milliseconds(400));
         raise(SIGINT);
       },
@@ -81,13 +85,22 @@ TEST(StopSignalTest, aSecondSignalEndsTheProcess) {
 
 // Such as `timeout` sends: to the child and to its group.
 TEST(StopSignalTest, aSignalThatComesTwiceAtOnceIsOneRequest) {
-  StopSignal stop;
-  stop.catchSignals();
-  raise(SIGINT);
-  raise(SIGINT);
-  raise(SIGTERM);
-  EXPECT_TRUE(stop.requested());
-  EXPECT_EQ(stop.reason(), "interrupted (SIGINT)");
+  // A busy machine may put so long a time between them that they are two: a child is ended by them then.
+  int status = -1;
+  for (int tries = 0; tries < 20 && status != 0; ++tries) {
+    const pid_t child = fork();
+    if (child == 0) {
+      StopSignal stop;
+      stop.catchSignals();
+      raise(SIGINT);
+      raise(SIGINT);
+      raise(SIGTERM);
+      _exit(stop.requested() && stop.reason() == "interrupted (SIGINT)" ? 0 : 1);
+    }
+    ASSERT_EQ(waitpid(child, &status, 0), child);
+    ASSERT_FALSE(WIFEXITED(status) && WEXITSTATUS(status) != 0) << "another request";
+  }
+  EXPECT_EQ(status, 0);
 }
 
 TEST(StopSignalTest, goesOnAfterTheTerminalClosedIfStartedByNohup) {

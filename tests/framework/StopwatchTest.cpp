@@ -19,7 +19,7 @@ public:
   void execute() override {
     const auto watch = debug.stopwatch("inner");
     volatile int sum = 0;
-    for (int i = 0; i < 1000; i++) sum = sum + i;
+    for (int i = 0; i < 1000; ++i) sum = sum + i;
   }
 };
 MAKE_MODULE(Measurer)
@@ -36,7 +36,7 @@ TEST(StopwatchTest, isZeroBeforeAnythingWasMeasured) {
 
 TEST(StopwatchTest, knowsMeanMaximumAndPercentiles) {
   Stopwatch watch;
-  for (std::uint64_t i = 1; i <= 1000; i++) watch.add(1000 * i);
+  for (std::uint64_t i = 1; i <= 1000; ++i) watch.add(1000 * i);
   EXPECT_EQ(watch.count(), 1000u);
   EXPECT_NEAR(watch.total(), 500500e-6, 1e-12);
   EXPECT_NEAR(watch.mean(), 500.5e-6, 1e-12);

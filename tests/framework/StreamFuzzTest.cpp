@@ -12,7 +12,7 @@ namespace {
 /// Changes, inserts, removes or repeats a few bytes. Same seed, same mutations.
 std::string mutated(std::string bytes, std::mt19937& random) {
   const auto below = [&](std::size_t n) { return static_cast<std::size_t>(random()) % n; };
-  for (std::size_t count = 1 + below(4); count > 0 && !bytes.empty(); count--) {
+  for (std::size_t count = 1 + below(4); count > 0 && !bytes.empty(); --count) {
     const std::size_t at = below(bytes.size());
     switch (below(5)) {
       case 0:
@@ -40,7 +40,7 @@ template <typename Read, typename Write>
 void fuzz(const std::string& start, Read read, Write write) {
   std::mt19937 random(7);
   int good = 0, bad = 0;
-  for (int i = 0; i < 6000; i++) {
+  for (int i = 0; i < 6000; ++i) {
     const std::string input = mutated(start, random);
     Everything value;
     if (!read(input, value).empty()) {

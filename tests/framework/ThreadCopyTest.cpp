@@ -66,7 +66,7 @@ TEST(ThreadCopyTest, neverTearsNeverGoesBackAndKeepsACycleTogether) {
   copy.add(representationLoader<Small>(), sourceSmall, targetSmall);
   std::atomic<bool> end{false};
   std::thread writer([&] {
-    for (std::uint64_t i = 1; !end; i++) {
+    for (std::uint64_t i = 1; !end; ++i) {
       source.fill(i);
       sourceSmall.value = i;
       copy.publish();

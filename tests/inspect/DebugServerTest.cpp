@@ -129,7 +129,7 @@ TEST_F(DebugServerTest, aClientThatReadsNothingMissesValuesAndHoldsNobodyUp) {
   // A busy machine needs longer until more is waiting than is kept.
   for (int halfSeconds = 1; halfSeconds <= 32 && !reported; halfSeconds *= 2) {
     Peer lazy(server->port(), 4096);
-    for (int i = 0; i < 50; i++) lazy.say("watch server:value\n");
+    for (int i = 0; i < 50; ++i) lazy.say("watch server:value\n");
     std::this_thread::sleep_for(std::chrono::milliseconds(500 * halfSeconds));
     EXPECT_EQ(ask("get nothing"), "error: nothing is called nothing");
     lazy.say("unwatch\n");
@@ -143,12 +143,12 @@ TEST_F(DebugServerTest, aClientThatReadsNothingMissesValuesAndHoldsNobodyUp) {
 TEST_F(DebugServerTest, twoHundredSilentClientsHinderNobody) {
   start();
   std::vector<std::unique_ptr<Peer>> silent;
-  for (int i = 0; i < 200; i++) silent.push_back(std::make_unique<Peer>(server->port()));
+  for (int i = 0; i < 200; ++i) silent.push_back(std::make_unique<Peer>(server->port()));
   EXPECT_EQ(ask("get nothing"), "error: nothing is called nothing");
-  for (int i = 200; i < static_cast<int>(DebugServer::maxClients); i++)
+  for (int i = 200; i < static_cast<int>(DebugServer::maxClients); ++i)
     silent.push_back(std::make_unique<Peer>(server->port()));
   std::string last;
-  for (int i = 0; i < 100 && last != "error: too many clients: 256 are there"; i++) {
+  for (int i = 0; i < 100 && last != "error: too many clients: 256 are there"; ++i) {
     Peer one(server->port());
     last = one.line();
   }

@@ -58,7 +58,7 @@ struct DrawingsTest : testing::Test {
   Lines ask(const std::string& command, int cycles = 1) {
     lines.clear();
     inspector->command(client, command);
-    for (int i = 0; i < cycles; i++) {
+    for (int i = 0; i < cycles; ++i) {
       controller.runCycles(1);
       inspector->poll();
     }

@@ -8,6 +8,7 @@
 #include "framework/Controller.h"
 #include "framework/DebugSite.h"
 #include "framework/Module.h"
+#include "support/FarOff.h"
 
 namespace plumbline {
 
@@ -85,7 +86,7 @@ struct InspectorTest : testing::Test {
     return lines;
   }
   void go(int cycles) {
-    for (int i = 0; i < cycles; i++) {
+    for (int i = 0; i < cycles; ++i) {
       controller.runCycles(1);
       inspector->poll();
     }
@@ -153,11 +154,10 @@ TEST_F(InspectorTest, whatNobodyReadsIsNotMadeAnyMore) {
   EXPECT_GE(offered, 1);
   EXPECT_LE(offered, 2 + seconds / Inspector::slowPause) << "it rests after each value that was left out";
   reads = true;
-  while (lines.empty() && Clock::now() - begin < std::chrono::seconds(60)) {
-    std::this_thread::sleep_for(std::chrono::milliseconds(10));
+  ASSERT_TRUE(comesTrue([&] {
     go(1);
-  }
-  ASSERT_FALSE(lines.empty()) << "it goes on by itself";
+    return !lines.empty();
+  })) << "it goes on by itself";
   EXPECT_EQ(lines.back().substr(0, 24), "module:InspectedModule:x");
 }
 
@@ -338,7 +338,7 @@ TEST_F(InspectorTest, saysWhenNoCycleComesBy) {
 }
 
 TEST_F(InspectorTest, whatAClientAsksForIsBounded) {
-  for (std::size_t i = 0; i < Inspector::maxPerClient; i++)
+  for (std::size_t i = 0; i < Inspector::maxPerClient; ++i)
     inspector->command(client, "watch representation:InspectedPlace every 3600s");
   EXPECT_EQ(ask("get representation:InspectedPlace", 0), Lines{"error: too many requests at once"});
   inspector->close(client);

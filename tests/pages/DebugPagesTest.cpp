@@ -7,6 +7,7 @@
 #include <condition_variable>
 
 #include "framework/DebugSite.h"
+#include "support/FarOff.h"
 
 namespace plumbline::pages {
 namespace {
@@ -57,7 +58,7 @@ struct DebugPagesTest : testing::Test {
     if (server) stopServer();
     close(end);
   }
-  /// The next message; empty after a minute.
+  /// The next message; empty where none comes.
   std::string message(PageSession& session) {
     for (;;) {
       std::unique_lock lock(mutex);
@@ -66,7 +67,8 @@ struct DebugPagesTest : testing::Test {
       std::string text;
       if (session.next(text) == PageSession::Kind::text) return text;
       lock.lock();
-      if (!news.wait_for(lock, std::chrono::seconds(60), [&] { return count > before; })) return "";
+      if (!news.wait_for(lock, std::chrono::duration<double>(farOff), [&] { return count > before; }))
+        return "";
     }
   }
 };

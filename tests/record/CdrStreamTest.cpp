@@ -72,7 +72,7 @@ TEST(CdrStreamTest, aBlockOfNumbersIsAlignedLikeItsFirst) {
 TEST(CdrStreamTest, whatIsBrokenIsAnError) {
   Shapes shapes;
   const std::string good = bytesOf(shapes);
-  for (std::size_t size = 0; size < good.size(); size++) {
+  for (std::size_t size = 0; size < good.size(); ++size) {
     Shapes read;
     EXPECT_NE(readMessage(std::string_view(good).substr(0, size), read), "") << size;
   }

@@ -34,7 +34,7 @@ void writeExampleLog(const std::string& folder, int first, int last, LogWriterOp
                      const std::vector<int>& leftOut) {
   LogWriter writer(folder, options);
   writer.begin({exampleThread()});
-  for (int number = first; number <= last; number++) {
+  for (int number = first; number <= last; ++number) {
     if (std::ranges::find(leftOut, number) != leftOut.end()) continue;
     const auto messages = exampleMessages(number);
     writer.write({0,

@@ -112,10 +112,10 @@ TEST(LogTest, brokenFilesEndInAnErrorOrInLessAndInNothingWorse) {
   std::stringstream whole;
   whole << file.rdbuf();
   const std::string good = whole.str();
-  for (std::size_t i = 0; i < 60; i++) {
+  for (std::size_t i = 0; i < 60; ++i) {
     std::string bad = good;
     const std::size_t at = (i * 7919 + 16) * 37 % bad.size();
-    for (std::size_t b = at; b < std::min(at + 40, bad.size()); b++) bad[b] = static_cast<char>(i * 31 + b);
+    for (std::size_t b = at; b < std::min(at + 40, bad.size()); ++b) bad[b] = static_cast<char>(i * 31 + b);
     const std::string path = scratch / ("bad" + std::to_string(i) + ".db3");
     std::ofstream(path, std::ios::binary) << bad;
     try {

@@ -62,7 +62,7 @@ TEST_F(LogToolsTest, aPartWithNothingInItLeavesNothingBehind) {
 TEST_F(LogToolsTest, theFirstDifferenceOfEachRepresentationIsNamed) {
   LogWriter writer(scratch / "other", {});
   writer.begin({exampleThread()});
-  for (int number = 1; number <= 301; number++) {
+  for (int number = 1; number <= 301; ++number) {
     auto messages = exampleMessages(number);
     if (number >= 200) messages[0] = exampleMessages(number + 1)[0];
     if (number == 150) messages[1] = exampleMessages(153)[1];

@@ -20,7 +20,7 @@ struct RecorderTest : testing::Test {
   void run(RecorderOptions options, int cycles, const std::string& folder) {
     Recorder recorder(folder, options, [this](const std::string& line) { lines.push_back(line); });
     ThreadRecorder& part = recorder.addThread(thread(), {&counter});
-    for (int i = 1; i <= cycles; i++) {
+    for (int i = 1; i <= cycles; ++i) {
       counter.value = i;
       part.record(i);
     }
@@ -61,7 +61,7 @@ TEST_F(RecorderTest, whatCannotBeWrittenIsSaidOnceAndTheAgentGoesOn) {
   Recorder recorder(scratch / "game", {}, [this](const std::string& line) { lines.push_back(line); });
   ThreadRecorder& part = recorder.addThread(thread(), {&counter});
   std::filesystem::remove_all(scratch / "game");
-  for (int i = 1; i <= 100; i++) part.record(i);
+  for (int i = 1; i <= 100; ++i) part.record(i);
   recorder.finish();
   ASSERT_EQ(lines.size(), 2u);
   EXPECT_EQ(lines[0], "log: " + (scratch / "game/game_0.db3") +

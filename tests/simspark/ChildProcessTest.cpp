@@ -13,9 +13,11 @@
 #include <list>
 #include <sstream>
 
+#include "support/FarOff.h"
 #include "support/Processes.h"
 #include "support/Thrown.h"
 
+using plumbline::comesTrue;
 using plumbline::processEnds;
 using plumbline::simspark::ChildProcess;
 using plumbline::simspark::ChildSettings;
@@ -37,12 +39,12 @@ std::string freshFile(const std::string& name) {
 
 /// The number that a child writes into a file.
 pid_t numberIn(const std::string& file) {
-  for (int i = 0; i < 1000 && contentOf(file).find('\n') == std::string::npos; ++i) usleep(5000);
+  comesTrue([&] { return contentOf(file).find('\n') != std::string::npos; });
   return static_cast<pid_t>(std::stoi(contentOf(file)));
 }
 
 void waitForEnd(ChildProcess& child) {
-  for (int i = 0; i < 12000 && child.running(); ++i) usleep(5000);
+  comesTrue([&] { return !child.running(); });
 }
 
 TEST(ChildProcess, reportsTheExitStatusAndWritesItsOutputToTheFile) {
@@ -156,7 +158,7 @@ TEST(ChildProcess, hasNothingOpenButTheThreeStandardFiles) {
 }
 
 TEST(ChildProcess, isTheLeaderOfAGroupThatCanBeSignalled) {
-  ChildProcess child({"/bin/sh", "-c", "sleep 100 & wait"});
+  ChildProcess child({"/bin/sh", "-c", "sleep 3600 & wait"});
   EXPECT_EQ(getpgid(child.pid()), child.pid());
   child.signalGroup(SIGTERM);
   waitForEnd(child);
@@ -165,7 +167,7 @@ TEST(ChildProcess, isTheLeaderOfAGroupThatCanBeSignalled) {
 
 TEST(ChildProcess, aWholeGroupEndsWithItsLeader) {
   const std::string file = freshFile("child_process_group.txt");
-  ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; exit 3"},
+  ChildProcess child({"/bin/sh", "-c", "sleep 3600 & echo $!; exit 3"},
                      ChildSettings{.outputFile = file, .wholeGroup = true});
   const pid_t grandchild = numberIn(file);
   waitForEnd(child);
@@ -175,7 +177,7 @@ TEST(ChildProcess, aWholeGroupEndsWithItsLeader) {
 
 TEST(ChildProcess, stopEndsTheWholeGroup) {
   const std::string file = freshFile("child_process_stopped_group.txt");
-  ChildProcess child({"/bin/sh", "-c", "trap '' TERM; (trap '' TERM; sleep 100) & echo $!; wait"},
+  ChildProcess child({"/bin/sh", "-c", "trap '' TERM; (trap '' TERM; sleep 3600) & echo $!; wait"},
                      ChildSettings{.outputFile = file, .wholeGroup = true});
   const pid_t grandchild = numberIn(file);
   child.stop(0.2);
@@ -188,7 +190,7 @@ TEST(ChildProcess, aWholeGroupEndsWithAParentThatIsKilled) {
   const pid_t parent = fork();
   if (parent == 0) {
     setpgid(0, 0);
-    const ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; wait"},
+    const ChildProcess child({"/bin/sh", "-c", "sleep 3600 & echo $!; wait"},
                              ChildSettings{.outputFile = file, .wholeGroup = true});
     for (;;) pause();
   }
@@ -205,7 +207,7 @@ TEST(ChildProcess, aWholeGroupEndsWithAParentThatIsKilledWhileItStartsIt) {
     const pid_t parent = fork();
     if (parent == 0) {
       setpgid(0, 0);
-      const ChildProcess child({"/bin/sh", "-c", "sleep 100 & echo $!; kill -KILL $PPID; wait"},
+      const ChildProcess child({"/bin/sh", "-c", "sleep 3600 & echo $!; kill -KILL $PPID; wait"},
                                ChildSettings{.outputFile = file, .wholeGroup = true});
       for (;;) pause();
     }

@@ -3,14 +3,17 @@
 
 #include <arpa/inet.h>
 #include <gtest/gtest.h>
+#include <linux/sockios.h>
 #include <netinet/in.h>
 #include <sys/eventfd.h>
+#include <sys/ioctl.h>
 #include <sys/socket.h>
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
 #include <thread>
+
+#include "support/FarOff.h"
 
 namespace plumbline::simspark {
 namespace {
@@ -81,19 +84,22 @@ TEST_F(DeafServer, whoListensOnlyIsNotKeptWaitingByWhatItSaid) {
   const int server = accept(listener, nullptr, nullptr);
   const std::string frame("\0\0\0\1x", 5);
   constexpr int rounds = 250;
-  int slow = 0;
+  int kept = 0;  // rounds in which something that has come is not acknowledged yet
   for (int i = 0; i < rounds; ++i) {
-    const auto begin = std::chrono::steady_clock::now();
     ASSERT_TRUE(monitor.send("(kickOff Left)"));
+    int unacknowledged = 0;
     for (int k = 0; k < 3; ++k) {
       ASSERT_EQ(send(server, frame.data(), frame.size(), 0), 5);
       std::string_view message;
-      ASSERT_EQ(monitor.receive(message, 60), Connection::Status::message);
+      ASSERT_EQ(monitor.receive(message, farOff), Connection::Status::message);
+      int bytes = 0;
+      ASSERT_EQ(ioctl(server, SIOCOUTQ, &bytes), 0);
+      unacknowledged += bytes;
     }
-    if (std::chrono::steady_clock::now() - begin > std::chrono::milliseconds(20)) ++slow;
+    kept += unacknowledged > 0;
   }
-  // Kept waiting, nearly every round would take 40 ms; on a busy machine others hold up some of them.
-  EXPECT_LT(slow, rounds / 2);
+  // Linux delivers on loopback at once what it acknowledges, but for a few on a busy machine.
+  EXPECT_LT(kept, rounds / 2);
   close(server);
 }
 

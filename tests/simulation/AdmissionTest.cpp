@@ -61,7 +61,7 @@ TEST(Admission, aMonitorAndAViewerGetInToo) {
     ASSERT_EQ(late.connect("127.0.0.1", port), "");
     ASSERT_TRUE(late.send("(getAck)"));
     std::string_view text;
-    EXPECT_EQ(late.receive(text, 20), Connection::Status::message) << port;
+    EXPECT_EQ(late.receive(text, farOff), Connection::Status::message) << port;
   }
 }
 
@@ -73,12 +73,12 @@ TEST(Admission, anAgentNamesTheTokenFirst) {
   ASSERT_EQ(bad.connect("127.0.0.1", server.agentPort()), "");
   bad.send("(scene rsg/agent/nao/nao_hetero.rsg 0)(syn)");
   std::string_view text;
-  EXPECT_EQ(bad.receive(text, 20), Connection::Status::closed);
+  EXPECT_EQ(bad.receive(text, farOff), Connection::Status::closed);
   EXPECT_TRUE(server.logs("did not name the token"));
   ASSERT_EQ(good.connect("127.0.0.1", server.agentPort()), "");
   good.send("(token secret)");
   good.send("(scene rsg/agent/nao/nao_hetero.rsg 0)(syn)");
-  EXPECT_EQ(good.receive(text, 20), Connection::Status::message);
+  EXPECT_EQ(good.receive(text, farOff), Connection::Status::message);
 }
 
 TEST(Admission, numbersOfATrainerAreBounded) {
@@ -87,9 +87,9 @@ TEST(Admission, numbersOfATrainerAreBounded) {
   ASSERT_EQ(trainer.connect("127.0.0.1", server.monitorPort()), "");
   trainer.send(std::string("(ball (vel 1e308 1e308 1e308))"));
   trainer.send(std::string("(agent (unum 1)(team Left)(pos 1e300 0 0))"));
-  ASSERT_EQ(trainer.receive(20), Connection::Status::message);
+  ASSERT_EQ(trainer.receive(farOff), Connection::Status::message);
   EXPECT_TRUE(server.logs("cannot use (ball ...)"));
-  for (int i = 0; i < 20; ++i) ASSERT_EQ(trainer.receive(20), Connection::Status::message);
+  for (int i = 0; i < 20; ++i) ASSERT_EQ(trainer.receive(farOff), Connection::Status::message);
 }
 
 TEST(Admission, aTrainerWithoutMeasureGoes) {

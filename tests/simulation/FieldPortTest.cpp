@@ -29,7 +29,7 @@ TEST(FieldPort, tellsTheStateAndNoMoreThanFiveTimesASecond) {
   viewer.send("(viewer 0.2)");  // what it says is not minded
   simspark::FieldState state;
   std::string_view text;
-  ASSERT_EQ(viewer.receive(text, 10), Connection::Status::message) << "at once";
+  ASSERT_EQ(viewer.receive(text, farOff), Connection::Status::message) << "at once";
   ASSERT_EQ(simspark::readFieldMessage(text, state), "") << text;
   const double start = steadySeconds();
   int messages = 0, cycles = 0;
@@ -53,7 +53,7 @@ TEST(FieldPort, standsAsTheGameStands) {
   Connection viewer;
   ASSERT_EQ(viewer.connect("127.0.0.1", server.fieldPort()), "");
   std::string_view text;
-  ASSERT_EQ(viewer.receive(text, 10), Connection::Status::message);
+  ASSERT_EQ(viewer.receive(text, farOff), Connection::Status::message);
   EXPECT_EQ(text, "(field 1)(t 0.00)(s 1 0 0)(m BeforeKickOff)(b 0 0 4)");
   EXPECT_EQ(viewer.receive(text, 0.5), Connection::Status::timeout) << "nothing changed";
 }
@@ -68,10 +68,10 @@ TEST(FieldPort, asksForTheToken) {
   ASSERT_EQ(with.connect("127.0.0.1", server.fieldPort()), "");
   EXPECT_EQ(without.receive(text, 0.3), Connection::Status::timeout);
   without.send("(token shut)");
-  EXPECT_EQ(without.receive(text, 10), Connection::Status::closed);
+  EXPECT_EQ(without.receive(text, farOff), Connection::Status::closed);
   EXPECT_TRUE(server.logs("did not name the token"));
   with.send("(token open)");
-  EXPECT_EQ(with.receive(text, 10), Connection::Status::message);
+  EXPECT_EQ(with.receive(text, farOff), Connection::Status::message);
 }
 
 TEST(FieldPort, whatIsInUseIsAnErrorOrDoneWithout) {

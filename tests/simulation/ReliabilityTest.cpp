@@ -138,13 +138,12 @@ private:
 };
 
 void waitUntilEmpty(simspark::MonitorClient& monitor) {
-  for (int i = 0; i < 500; ++i) {
+  const bool emptied = comesTrue([&] {
     monitor.send("(reqfullstate)");
-    ASSERT_EQ(monitor.receive(10), Connection::Status::message);
-    if (monitor.scene().robots.empty()) return;
-    std::this_thread::sleep_for(std::chrono::milliseconds(5));
-  }
-  FAIL() << monitor.scene().robots.size() << " robots are left";
+    EXPECT_EQ(monitor.receive(farOff), Connection::Status::message);
+    return monitor.scene().robots.empty();
+  });
+  EXPECT_TRUE(emptied) << monitor.scene().robots.size() << " robots are left";
 }
 
 /// Ten simulated minutes; under sanitizers half a one, as what they look for shows in it as well.
@@ -222,7 +221,7 @@ TEST(Reliability, whoLeavesLastIsNotShownAnyMore) {
   }
   for (auto* watcher : {&monitor, &viewer}) {
     ASSERT_EQ(watcher->scene().robots.size(), 1u);
-    while (!watcher->scene().robots.empty()) ASSERT_EQ(watcher->receive(10), Connection::Status::message);
+    while (!watcher->scene().robots.empty()) ASSERT_EQ(watcher->receive(farOff), Connection::Status::message);
   }
 }
 

@@ -11,6 +11,7 @@
 #include "simspark/MonitorClient.h"
 #include "simspark/ServerMessageParser.h"
 #include "simulation/server/Server.h"
+#include "support/FarOff.h"
 
 namespace plumbline::test {
 
@@ -40,13 +41,9 @@ public:
     const std::lock_guard lock(mutex_);
     return lines_;
   }
-  /// Whether the log gets this text within some seconds.
+  /// Whether the log gets this text.
   bool logs(const std::string& text) {
-    for (int i = 0; i < 1000; ++i) {
-      if (log().find(text) != std::string::npos) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(10));
-    }
-    return false;
+    return comesTrue([&] { return log().find(text) != std::string::npos; });
   }
   const simulation::ServerStatistics& statistics() const { return server_->statistics(); }
 
@@ -81,10 +78,10 @@ public:
     hello.init = simspark::InitRequest{unum, team};
   }
 
-  /// The next message; empty if the connection is gone or nothing comes for 20 s.
+  /// The next message; empty if the connection is gone or nothing comes.
   std::string receive() {
     std::string_view text;
-    if (connection.receive(text, 20) != simspark::Connection::Status::message) return {};
+    if (connection.receive(text, farOff) != simspark::Connection::Status::message) return {};
     return std::string(text);
   }
   void send(const simspark::AgentCommand& command) { connection.send(simspark::writeAgentCommand(command)); }

@@ -174,7 +174,7 @@ TEST(Server, anAgentThatDoesNotKnowStepsPlaysItsFirstMessages) {
   ASSERT_EQ(connection.connect("127.0.0.1", server.agentPort()), "");
   connection.send("(scene rsg/agent/nao/nao_hetero.rsg 0)");
   std::string_view text;
-  EXPECT_EQ(connection.receive(text, 10), Connection::Status::message);
+  EXPECT_EQ(connection.receive(text, farOff), Connection::Status::message);
 }
 
 TEST(Server, unknownRobotsAreRefused) {
@@ -184,7 +184,7 @@ TEST(Server, unknownRobotsAreRefused) {
     ASSERT_EQ(connection.connect("127.0.0.1", server.agentPort()), "");
     connection.send(std::string(scene) + "(syn)");
     std::string_view text;
-    EXPECT_EQ(connection.receive(text, 10), Connection::Status::closed) << scene;
+    EXPECT_EQ(connection.receive(text, farOff), Connection::Status::closed) << scene;
   }
   EXPECT_TRUE(
       server.logs("requested an unknown robot type: rsg/agent/nao/nao_hetero.rsg 5; there is "
@@ -210,10 +210,11 @@ TEST(Server, trainersCommandAndMonitorsFollow) {
   RunningServer server(inStep());
   simspark::MonitorClient monitor;
   ASSERT_EQ(monitor.connect("127.0.0.1", server.monitorPort()), "");
-  ASSERT_EQ(monitor.receive(10), Connection::Status::message) << "a scene at once, though the clock stands";
+  ASSERT_EQ(monitor.receive(farOff), Connection::Status::message)
+      << "a scene at once, though the clock stands";
   EXPECT_TRUE(monitor.scene().robots.empty());
   monitor.send(simspark::BallCommand{Vec3(3, 1, 0.042), {}});
-  ASSERT_EQ(monitor.receive(10), Connection::Status::message);
+  ASSERT_EQ(monitor.receive(farOff), Connection::Status::message);
   EXPECT_LT((monitor.scene().ball - Vec3(3, 1, 0.042)).norm(), 1e-6);
 
   TestAgent agent(server.agentPort(), 2, "Red", 9);
@@ -283,13 +284,13 @@ TEST(Server, monitorsNeedTheTokenIfThereIsOne) {
   RunningServer server(config);
   simspark::MonitorClient with, without, wrong;
   ASSERT_EQ(with.connect("127.0.0.1", server.monitorPort(), "sesame"), "");
-  EXPECT_EQ(with.receive(10), Connection::Status::message);
+  EXPECT_EQ(with.receive(farOff), Connection::Status::message);
   ASSERT_EQ(without.connect("127.0.0.1", server.monitorPort()), "");
   EXPECT_EQ(without.receive(0.3), Connection::Status::timeout) << "tells nothing";
   without.send("(killsim)");
-  EXPECT_EQ(without.receive(10), Connection::Status::closed);
+  EXPECT_EQ(without.receive(farOff), Connection::Status::closed);
   ASSERT_EQ(wrong.connect("127.0.0.1", server.monitorPort(), "open"), "");
-  EXPECT_EQ(wrong.receive(10), Connection::Status::closed);
+  EXPECT_EQ(wrong.receive(farOff), Connection::Status::closed);
   EXPECT_TRUE(server.logs("did not name the token"));
 }
 

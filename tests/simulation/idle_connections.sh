@@ -2,6 +2,7 @@
 # 10,000 connections that say nothing: a late player gets in within a second meanwhile, and the log stays short. A second
 # simulator, which has no idle connections, tells how long the machine itself takes at that time.
 set -uo pipefail
+source "$(dirname "$0")/../support/far-off.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 work=$(mktemp -d)
 servers=()
@@ -10,7 +11,8 @@ for name in flooded control; do
   bin/simulator --port 0 --monitor-port 0 --ports-file "$work/$name" > /dev/null 2> "$work/$name.log" &
   servers+=($!)
 done
-for ((i = 0; i < 2400; ++i)); do [[ -s $work/flooded && -s $work/control ]] && break; sleep 0.05; done
+listen() { [[ -s $work/flooded && -s $work/control ]]; }
+comesTrue listen
 python3 - "$work/flooded" "$work/control" << 'END' || exit 1
 import json, resource, socket, statistics, sys, threading, time
 flooded, control = (json.load(open(file))["agent"] for file in sys.argv[1:])
@@ -30,8 +32,8 @@ def flood():
         if len(idle) > 900: idle.pop(0).close()
 def enter(port):
     begin = time.monotonic()
-    player = socket.create_connection(("127.0.0.1", port), 60)
-    player.settimeout(60)
+    player = socket.create_connection(("127.0.0.1", port), 600)
+    player.settimeout(600)
     player.sendall(frame(b"(scene rsg/agent/nao/nao_hetero.rsg 0)"))
     if not player.recv(4): sys.exit(f"FAIL player {len(waits) + 1} was sent away")
     wait = time.monotonic() - begin

@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # bin/simulator as a program: its options, its exit status, and that nothing of it is left behind.
 set -uo pipefail
+source "$(dirname "$0")/../support/far-off.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 simulator=bin/simulator
 work=$(mktemp -d)
@@ -18,7 +19,7 @@ free=(--port 0 --monitor-port 0)
 refuses() { # wanted line, arguments...
   local wanted=$1 output status
   shift
-  output=$(timeout 60 "$simulator" "$@" 2>&1 > "$work/out")
+  output=$(within 60 "$simulator" "$@" 2>&1 > "$work/out")
   status=$?
   expect "text of: $*" "$output" "simulator: $wanted"
   expect "status of: $*" "$status" 2
@@ -42,7 +43,7 @@ printf 'time:\n  half: -3\n' > "$work/bad.yaml"
 refuses "$work/bad.yaml:2: time.half must be within [0.02, 1e+06], not -3" --rules "$work/bad.yaml"
 
 # Each accident of the league's server has a switch; those that a recording shows change its replay.
-report() { timeout 60 "$simulator" --replay "tests/data/traces/$1.csv.gz" "${@:2}" 2>&1; }
+report() { within 60 "$simulator" --replay "tests/data/traces/$1.csv.gz" "${@:2}" 2>&1; }
 for switch in bouncing-stops sleeping-robots frozen-limbs action-delay endless-friction lasting-commands; do
   expect "help names --no-$switch" "$("$simulator" --help | grep -c -e "--no-$switch")" 1
 done
@@ -61,18 +62,14 @@ start() {
   "$simulator" "${free[@]}" --ports-file "$work/ports" "$@" > "$work/out" 2> "$work/err" &
   pid=$!
   started+=("$pid")
-  for ((i = 0; i < 6000; i++)); do [[ -s $work/ports ]] && break; sleep 0.01; done
+  comesTrue test -s "$work/ports"
   agent=$(sed -n 's/.*"agent": \([0-9]*\).*/\1/p' "$work/ports")
   monitor=$(sed -n 's/.*"monitor": \([0-9]*\).*/\1/p' "$work/ports")
 }
-# Waits for a process for at most a minute; leaves its status in $status.
+# Waits for a process; leaves its status in $status.
+hasEnded() { ! kill -0 "$1"; }
 finish() {
-  local waited
-  for ((waited = 0; waited < 6000; waited++)); do
-    kill -0 "$1" 2> /dev/null || break
-    sleep 0.01
-  done
-  ((waited < 6000)) || echo "FAIL process $1 does not end"
+  comesTrue hasEnded "$1" || { expect "process $1" "does not end" "ends"; kill -9 "$1"; }
   wait "$1"
   status=$?
 }
@@ -80,7 +77,7 @@ finish() {
 talk() { # port, bytes
   exec 3<> "/dev/tcp/127.0.0.1/$1" || return
   [[ -n $2 ]] && printf "$2" >&3
-  timeout 60 head -c "${3:-24}" <&3 | tail -c +5
+  timeout "$farOff" head -c "${3:-24}" <&3 | tail -c +5
   exec 3>&-
 }
 
@@ -124,10 +121,7 @@ bash -c '"$0" --port 0 --monitor-port 0 --ports-file "$1/ports" --die-with-paren
   until [[ -s $1/ports ]]; do sleep 0.01; done' "$simulator" "$work"
 child=$(cat "$work/child")
 started+=("$child")
-for ((i = 0; i < 500; i++)); do
-  kill -0 "$child" 2> /dev/null || break
-  sleep 0.01
-done
+comesTrue hasEnded "$child"
 expect "a child whose parent ended" "$(kill -0 "$child" 2>&1 | grep -c 'No such process')" 1
 
 ((failures == 0)) && echo "simulator.sh: all good"

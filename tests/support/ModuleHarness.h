@@ -45,7 +45,7 @@ public:
   /// Execute and all updates, in the order of PROVIDES.
   void cycle(std::size_t times = 1) {
     init();
-    for (std::size_t i = 0; i < times; i++) {
+    for (std::size_t i = 0; i < times; ++i) {
       module_->execute();
       for (const ModuleOutput& output : M::moduleDescription().outputs) {
         output.update(*module_, representation(*output.representation));

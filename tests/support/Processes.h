@@ -5,6 +5,8 @@
 #include <fstream>
 #include <string>
 
+#include "support/FarOff.h"
+
 namespace plumbline {
 
 /// Whether a process has ended. One that nobody has waited for yet has: an orphan's end may be noticed late.
@@ -17,7 +19,7 @@ inline bool processEnded(pid_t pid) {
 }
 
 /// Waits for its end, at most so long [s]; false: it still runs.
-inline bool processEnds(pid_t pid, double seconds = 5) {
+inline bool processEnds(pid_t pid, double seconds = farOff) {
   for (int i = 0; i < static_cast<int>(200 * seconds); ++i) {
     if (processEnded(pid)) return true;
     usleep(5000);

@@ -1,5 +1,5 @@
 # A diagram as SVG from lines "series x y [low high]", divided by tabs, in the order of drawing. Variables: title, xLabel, yLabel.
-# A series whose name begins with "thesis" is dashed; marks: 1 for points with bars instead of lines; logY: 1 for a
+# A series whose name begins with "thesis" is dashed. Also: marks: 1 for points with bars instead of lines; logY: 1 for a
 # logarithmic axis; xNames: names of the places 0, 1, ... on the axis, divided by "|".
 BEGIN { FS = "\t"; width = 640; height = 380; left = 70; right = 16; top = 34; bottom = 50 }
 NF >= 3 {

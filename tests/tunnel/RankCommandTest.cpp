@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/FarOff.h"
 #include "support/Thrown.h"
 
 namespace plumbline::tunnel {
@@ -14,7 +15,7 @@ namespace {
 
 int statusOf(RankCommand& command) {
   command.start();
-  for (int i = 0; i < 1000 && !command.status(); ++i) usleep(5000);
+  comesTrue([&] { return command.status().has_value(); });
   return command.status().value_or(-1);
 }
 

@@ -14,6 +14,7 @@
 #include <mutex>
 #include <sstream>
 
+#include "support/FarOff.h"
 #include "support/Processes.h"
 #include "support/Thrown.h"
 #include "tunnel/ServerRank.h"
@@ -74,7 +75,7 @@ public:
     return end_.wait_for(std::chrono::duration<double>(seconds)) == std::future_status::ready;
   }
   std::string end() {
-    if (end_.wait_for(std::chrono::seconds(120)) != std::future_status::ready) {
+    if (!endsWithin(farOff)) {
       ADD_FAILURE() << "rank " << transport_.rank() << " does not end";
       stop.request(0, "the test is over");
     }
@@ -97,31 +98,29 @@ struct TunnelRankTest : testing::Test {
     options.server =
         shell("until [ -e " + folder + "/end ]; do sleep 0.01; done; exit $(cat " + folder + "/end)");
     options.worker = shell("echo $$ {port} > " + folder + "/new{rank}; mv " + folder + "/new{rank} " +
-                           folder + "/worker{rank}; sleep 100");
+                           folder + "/worker{rank}; sleep 3600");
   }
   void endServer(int status) const { std::ofstream(folder + "/end") << status; }
   /// The process and the port of a worker's command.
   std::pair<pid_t, int> worker(int rank) const {
     std::pair<pid_t, int> both;
-    for (int i = 0; i < 1000; ++i) {
-      if (std::ifstream(folder + "/worker" + std::to_string(rank)) >> both.first >> both.second) break;
-      usleep(5000);
-    }
+    comesTrue([&] {
+      std::ifstream file(folder + "/worker" + std::to_string(rank));
+      return static_cast<bool>(file >> both.first >> both.second);
+    });
     return both;
   }
   bool comes(TestSocket& socket, const std::string& text) {
-    for (int i = 0; i < 1000 && socket.received != text; ++i) {
-      usleep(5000);
+    return comesTrue([&] {
       socket.receive();
-    }
-    return socket.received == text;
+      return socket.received == text;
+    });
   }
   TestSocket accepted() {
-    for (int i = 0; i < 1000; ++i) {
-      if (auto socket = server.accept()) return std::move(*socket);
-      usleep(5000);
-    }
-    throw std::runtime_error("nobody connected");
+    std::optional<TestSocket> socket;
+    if (!comesTrue([&] { return (socket = server.accept()).has_value(); }))
+      throw std::runtime_error("nobody connected");
+    return std::move(*socket);
   }
 
   const std::string folder = testing::TempDir() + "tunnel_rank";
@@ -297,7 +296,7 @@ TEST_F(TunnelRankTest, aWorkerThatFailsIsStartedAgainWhereThatIsWanted) {
   options.again = true;
   options.worker =
       shell("echo x >> " + folder + "/starts; [ $(wc -l < " + folder + "/starts) -gt 1 ] || exit 1; echo " +
-            "$$ {port} > " + folder + "/worker1; sleep 100");
+            "$$ {port} > " + folder + "/worker1; sleep 3600");
   RankThread zero(post, 0, 2, options), one(post, 1, 2, options);
   const pid_t pid = worker(1).first;
   EXPECT_GT(pid, 0);

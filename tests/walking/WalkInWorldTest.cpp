@@ -9,8 +9,8 @@
 namespace plumbline::walking {
 namespace {
 
-/// What a type reached with the values in config/: the worst of six starts at other headings and after other
-/// waits (sideways without single starts of types 2 and 4 that came to 0.55 and 0.47) [m/s, degrees/s].
+/// What a type reached with the values in config/. It is the worst of six starts at other headings and after
+/// other waits (sideways without single starts of types 2 and 4 that came to 0.55 and 0.47) [m/s, degrees/s].
 struct Reached {
   double forward, backward, sideways, turn;
 };

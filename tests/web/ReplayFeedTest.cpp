@@ -4,10 +4,10 @@
 
 #include <unistd.h>
 
-#include <chrono>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "support/FarOff.h"
 #include "support/Thrown.h"
 
 namespace plumbline::web {
@@ -75,9 +75,7 @@ TEST_F(ReplayFeedTest, saysWhereInTheFileTheGameIsBroken) {
   }
   ReplayFeed feed(file, broadcast);
   feed.command(Seek{7});
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
-  while (latest(Channel::replay).value("problem", "").empty() && std::chrono::steady_clock::now() < end)
-    usleep(10000);
+  EXPECT_TRUE(comesTrue([&] { return !latest(Channel::replay).value("problem", "").empty(); }));
   EXPECT_EQ(latest(Channel::replay)["problem"],
             file + ": the game's state at 6.00 s is nested deeper than 16 levels");
 }
@@ -94,9 +92,8 @@ TEST_F(ReplayFeedTest, marksTheGoals) {
     }
   }
   ReplayFeed feed(file, broadcast);
-  const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(60);
   const auto goals = [&] { return latest(Channel::replay).value("goals", json::array()); };
-  while (goals().size() < 2 && std::chrono::steady_clock::now() < end) usleep(10000);
+  EXPECT_TRUE(comesTrue([&] { return goals().size() >= 2; }));
   EXPECT_EQ(goals(), json::parse(R"([{"time": 3.0, "side": "left"}, {"time": 8.0, "side": "right"}])"));
 }
 

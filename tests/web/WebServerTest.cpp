@@ -9,6 +9,8 @@
 #include <filesystem>
 #include <fstream>
 
+#include "support/FarOff.h"
+
 namespace plumbline::web {
 namespace {
 
@@ -187,7 +189,7 @@ TEST_F(WebServerTest, tellsTheLastOfEachChannelAndTakesCommands) {
   client.sendText(R"({"do":"seek","time":4})");
   client.sendText("garbage");
   client.sendText(R"({"do":"seek","time":5})");
-  for (int i = 0; i < 1000 && feed.all().size() < 2; ++i) usleep(10000);
+  EXPECT_TRUE(comesTrue([&] { return feed.all().size() >= 2; }));
   EXPECT_EQ(feed.all(), (std::vector<double>{4, 5}));
   client.sendText(std::string(6000, 'x'));
   EXPECT_EQ(client.message().substr(0, 6), "closed") << "too long a command";

@@ -23,7 +23,7 @@ constexpr double lost = std::numeric_limits<double>::quiet_NaN();
 class RunMaker {
 public:
   RunMaker(LogReader& log, const LogReader::Thread& thread) : log_(log), thread_(thread) {
-    for (std::size_t i = 0; i < thread.recorded.topics.size(); i++)
+    for (std::size_t i = 0; i < thread.recorded.topics.size(); ++i)
       topicOf_[thread.recorded.topics[i].representation] = i;
     for (const char* name : {"FrameInfo", "RobotDescription", "JointData", "JointRequest"})
       if (!topicOf_.contains(name))
@@ -32,7 +32,7 @@ public:
   }
 
   gap::Run make(const record::LogPart& part, const record::Progress& progress) {
-    for (std::size_t c = 0; c < thread_.cycles.size(); c++) {
+    for (std::size_t c = 0; c < thread_.cycles.size(); ++c) {
       StopSignal::throwIfCaught();
       if (progress && c % 256 == 0)
         progress(static_cast<double>(c) / static_cast<double>(thread_.cycles.size()));
@@ -57,7 +57,7 @@ public:
     }
     if (run_.t.size() < 2) throw std::runtime_error(log_.path() + " has no robot's joints in that part");
     std::vector<double> steps;
-    for (std::size_t i = 1; i < run_.t.size(); i++) steps.push_back(run_.t[i] - run_.t[i - 1]);
+    for (std::size_t i = 1; i < run_.t.size(); ++i) steps.push_back(run_.t[i] - run_.t[i - 1]);
     std::ranges::nth_element(steps, steps.begin() + static_cast<long>(steps.size() / 2));
     run_.rateHz = std::round(1e6 / steps[steps.size() / 2]) / 1e6;
     return std::move(run_);

@@ -26,7 +26,7 @@ std::string listing(record::LogReader& log) {
   }
   std::string text =
       fmt::format("{}: {} file{}\n", log.path(), log.files().size(), log.files().size() == 1 ? "" : "s");
-  for (std::size_t t = 0; t < sums.size(); t++) {
+  for (std::size_t t = 0; t < sums.size(); ++t) {
     const auto& thread = log.threads()[t];
     text += fmt::format("\nthread {}: {} cycles", thread.recorded.name, thread.cycles.size());
     if (!thread.cycles.empty()) {
@@ -44,7 +44,7 @@ std::string listing(record::LogReader& log) {
     }
     text += fmt::format("\n  {:{}}  {:{}}  {:>8}  {:>10}\n", "representation", width, "provider", provider,
                         "messages", "bytes");
-    for (std::size_t i = 0; i < thread.recorded.topics.size(); i++) {
+    for (std::size_t i = 0; i < thread.recorded.topics.size(); ++i) {
       const record::RecordedTopic& topic = thread.recorded.topics[i];
       text += fmt::format("  {:{}}  {:{}}  {:>8}  {:>10}\n", topic.representation, width, topic.provider,
                           provider, sums[t][i].messages, sums[t][i].bytes);

@@ -93,7 +93,7 @@ void Console::run() {
     keepConnected();
     for (int pressed = 0; (pressed = getch()) != ERR;) key(pressed);
     session_.receive(0);
-    goOn();
+    runScript();
     showWindows();
     if (changed_ && steadySeconds() - drawn >= drawEvery) {
       draw();
@@ -258,7 +258,7 @@ void Console::begin(const std::string& script) {
   }
 }
 
-void Console::goOn() {
+void Console::runScript() {
   // One command after the other: an order given at once could overtake what a cycle has to answer.
   while (!script_.empty() && asked_ == 0 && steadySeconds() >= scriptWaits_) {
     const std::string line = script_.front();

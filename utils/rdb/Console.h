@@ -38,7 +38,7 @@ private:
   void showWindows();
   void png(const std::vector<std::string>& words);
   void begin(const std::string& script);
-  void goOn();
+  void runScript();
   void askCommands();
   void complete();
   std::vector<std::string> completions(const std::vector<std::string>& words) const;

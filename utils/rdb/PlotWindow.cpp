@@ -60,7 +60,7 @@ void PlotWindow::end(const std::string& why) {
   if (socket_ >= 0) close(std::exchange(socket_, -1));
   if (child_ <= 0) return;
   kill(child_, SIGTERM);
-  for (int i = 0; i < 100 && waitpid(child_, nullptr, WNOHANG) == 0; i++) usleep(1000);
+  for (int i = 0; i < 100 && waitpid(child_, nullptr, WNOHANG) == 0; ++i) usleep(1000);
   kill(child_, SIGKILL);
   waitpid(std::exchange(child_, -1), nullptr, 0);
 }

@@ -265,7 +265,7 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
   j["overlays"] = overlays(evaluator, nominal);
   j["behaviour"] = json::array();
   for (const Behavior& b : behaviors(evaluator, nominal))
-    j["behaviour"].push_back({{"what", b.what},
+    j["behaviour"].push_back({{"what", b.name},
                               {"unit", b.unit},
                               {"measured", number(b.measured)},
                               {"nominal", number(b.nominal)},

@@ -9,7 +9,7 @@ namespace plumbline::gap {
 /// One property of a run on the feet, measured and as two models replay it from the first command without
 /// corrections (free run). NaN where a run does not show it.
 struct Behavior {
-  std::string what, unit;
+  std::string name, unit;
   double measured = 0, nominal = 0, corrected = 0;
 };
 

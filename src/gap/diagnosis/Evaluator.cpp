@@ -22,13 +22,15 @@ public:
   void add(double square) { sum_ += square, ++n_; }
   double mean() const { return sum_ / n_; }
   bool empty() const { return n_ == 0; }
-  double counted() const { return isFar() ? n_ * limit * (1 + std::log(sum_ / (n_ * limit))) : sum_; }
+  double counted() const {
+    return isFar() ? n_ * maxMeanSquare * (1 + std::log(sum_ / (n_ * maxMeanSquare))) : sum_;
+  }
   /// Change of counted() for a change of the squares.
-  double slope() const { return isFar() ? n_ * limit / sum_ : 1; }
+  double slope() const { return isFar() ? n_ * maxMeanSquare / sum_ : 1; }
 
 private:
-  static constexpr double limit = 25;  // noise variances, on average over the block
-  bool isFar() const { return freeBase_ && sum_ > n_ * limit; }
+  static constexpr double maxMeanSquare = 25;  // noise variances, on average over the block
+  bool isFar() const { return freeBase_ && sum_ > n_ * maxMeanSquare; }
 
   double sum_ = 0, n_ = 0;
   bool freeBase_;
@@ -37,13 +39,13 @@ private:
 /// Mean square of a walk's half-seconds without the worst sixth. A step that lands differently in the replay
 /// spoils the rest of its piece, and says nothing about errors in all the others.
 double meanWithoutWorst(const std::vector<Squares>& blocks) {
-  constexpr double worst = 1 / 6.0;
+  constexpr double leftOutShare = 1 / 6.0;
   std::vector<double> means;
   for (const Squares& block : blocks)
     if (!block.empty()) means.push_back(block.mean());
   if (means.empty()) return std::nan("");
   std::ranges::sort(means);
-  means.resize(means.size() - static_cast<std::size_t>(worst * static_cast<double>(means.size())));
+  means.resize(means.size() - static_cast<std::size_t>(leftOutShare * static_cast<double>(means.size())));
   return std::accumulate(means.begin(), means.end(), 0.0) / static_cast<double>(means.size());
 }
 
@@ -59,12 +61,12 @@ public:
     rr_ += w * r * r, rv_ += w * r * v, vv_ += w * v * v, ++n_;
   }
   double mean() const {
-    const double lead = vv_ > 0 ? std::clamp(rv_ / vv_, -most, most) : 0;
+    const double lead = vv_ > 0 ? std::clamp(rv_ / vv_, -maxLead, maxLead) : 0;
     return n_ > 0 ? (rr_ - lead * (2 * rv_ - lead * vv_)) / n_ : std::nan("");
   }
 
 private:
-  static constexpr double most = 2e-4;  // [s]
+  static constexpr double maxLead = 2e-4;  // [s]
 
   const Trial& trial_;
   const Signal& signal_;
@@ -77,9 +79,9 @@ void takeOver(Prediction&& fresh, Prediction& all) {
   for (std::size_t s = 0; s < fresh.values.size(); ++s) {
     if (fresh.values[s].empty()) continue;
     all.values[s] = std::move(fresh.values[s]);
-    if (fresh.scatter.empty() && all.scatter.empty()) continue;
-    all.scatter.resize(all.values.size());
-    all.scatter[s] = fresh.scatter.empty() ? std::vector<double>() : std::move(fresh.scatter[s]);
+    if (fresh.variance.empty() && all.variance.empty()) continue;
+    all.variance.resize(all.values.size());
+    all.variance[s] = fresh.variance.empty() ? std::vector<double>() : std::move(fresh.variance[s]);
   }
 }
 

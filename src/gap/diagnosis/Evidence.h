@@ -50,12 +50,12 @@ public:
       if (w[k] > 0 && std::isfinite(predicted[k]))
         use(k, w[k] * certainty(prediction, signal, k, w[k]), measured[k] - predicted[k]);
   }
-  /// Noise variance divided by the sum of noise variance and scatter of a prediction, for a sample of this
+  /// Noise variance divided by the sum of noise variance and variance of a prediction, for a sample of this
   /// weight; 1 if nothing is uncertain.
   static double certainty(const Prediction& prediction, std::size_t signal, std::size_t cycle,
                           double weight) {
-    if (prediction.scatter.empty() || prediction.scatter[signal].empty()) return 1;
-    return 1 / (1 + weight * prediction.scatter[signal][cycle]);
+    if (prediction.variance.empty() || prediction.variance[signal].empty()) return 1;
+    return 1 / (1 + weight * prediction.variance[signal][cycle]);
   }
   /// Largest difference of two predictions of a trial over all channels: root mean square divided by the
   /// channel's noise.

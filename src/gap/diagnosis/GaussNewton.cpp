@@ -18,7 +18,7 @@ constexpr int steps = 12, tries = 4;
 // direction where another does not.
 constexpr std::array shares = {0.02, 0.004, 0.08};
 constexpr double longest = 0.7;   // step of the logarithm of a strength
-constexpr double nothing = 2e-4;  // of the squares, a step that is not worth another
+constexpr double minGain = 2e-4;  // share of the squares: a step that gains less is the last
 constexpr double atLeast = 0.1;   // squares, likewise
 constexpr double damped = 1e-3;   // at first, of the diagonal
 
@@ -117,7 +117,7 @@ private:
       Predictions there = evaluator_.played(tried);
       const double fitting = evaluator_.compare(there).fitting;
       if (!(fitting < at_.fitting)) continue;
-      at_.settled = damping < 1 && at_.fitting - fitting < std::max(atLeast, nothing * at_.fitting);
+      at_.settled = damping < 1 && at_.fitting - fitting < std::max(atLeast, minGain * at_.fitting);
       at_.causes = tried;
       at_.fitting = fitting;
       played_ = std::move(there);

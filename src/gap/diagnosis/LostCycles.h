@@ -17,7 +17,7 @@ namespace plumbline::gap {
 struct LostCycles {
   std::vector<std::vector<std::uint8_t>> cycles;  ///< per trial; empty where not looked at
   double share = 0;
-  static constexpr std::size_t least = 3;  ///< fewer are chance
+  static constexpr std::size_t minCount = 3;  ///< cycles; fewer are chance
   std::size_t found = 0;
   double price = 0;  ///< of the sum of squares for judging: each cycle was chosen to fit
 };

@@ -9,7 +9,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double off = 8;                // noises that count as having left
+constexpr double minDeviation = 8;       // noises that count as having left
 constexpr std::size_t inARow = 3;        // cycles
 constexpr double soonest = 1;            // [s] of a run: what is off before that is off from the start
 constexpr int bisections = 11;           // of three decades: to half a percent
@@ -37,7 +37,7 @@ public:
       std::size_t row = 0;
       for (std::size_t k = 0; k < std::min({first, values[s].size(), base.size()}); ++k) {
         const double d = values[s][k] - base[k];
-        row = weights[k] * d * d > off * off ? row + 1 : 0;
+        row = weights[k] * d * d > minDeviation * minDeviation ? row + 1 : 0;
         if (row == inARow) first = k + 1 - inARow;
       }
     }

@@ -17,8 +17,8 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t fitted = 24, polished = 4;  // pairs
-constexpr int weakened = 4;                    // times at most, until a start changes no more than there is
-constexpr double least = 0.05, mostTimes = 5;  // times a start: as far as its signature says anything
+constexpr int weakened = 4;  // times at most, until a start changes no more than there is
+constexpr double leastTimes = 0.05, mostTimes = 5;  // times a start: as far as its signature says anything
 
 /// A cause and what it changes: on the blocks for fitting, over the noise.
 struct Signature {
@@ -94,8 +94,8 @@ Pair linearly(const Signature& a, const Signature& b, const Eigen::VectorXd& r, 
   if (!(det > 1e-9 * aa * bb)) return {};
   const double x = (ra * bb - rb * ab) / det, y = (rb * aa - ra * ab) / det;
   if (!(x > 0) || !(y > 0)) return {};
-  return {{scaled(robot, a.cause, std::clamp(x, least, mostTimes)),
-           scaled(robot, b.cause, std::clamp(y, least, mostTimes))},
+  return {{scaled(robot, a.cause, std::clamp(x, leastTimes, mostTimes)),
+           scaled(robot, b.cause, std::clamp(y, leastTimes, mostTimes))},
           r.squaredNorm() - x * ra - y * rb};
 }
 

@@ -85,7 +85,7 @@ void Proposals::addLostCommands(std::vector<Candidate>& list) {
   if (dropout == effects().end()) return;
   if (!mostDeviates(fine_) || losesCommands(fine_.base())) return;
   const LostCycles lost = findLostCycles(fine_.evidence(), fine_.base(), options_.jobs);
-  if (lost.found < LostCycles::least) return;
+  if (lost.found < LostCycles::minCount) return;
   useLostCycles(lost.cycles);
   Candidate candidate;
   candidate.cause = {*dropout, {Site::everywhere, -1, "*"}, lost.share, 0};

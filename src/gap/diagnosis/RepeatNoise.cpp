@@ -80,7 +80,7 @@ std::optional<Evidence> evidenceBesideLosses(const Evidence& byRepeats, const Ex
     const LostCycles lost = findLostCycles(evidence, causes, jobs);
     const std::vector<Prediction> predictions = predictionsWith(lost, causes, evidence);
     if (round == 0 &&
-        (lost.found < LostCycles::least || explainedBy(predictions, evidence) <= minExplainedShare))
+        (lost.found < LostCycles::minCount || explainedBy(predictions, evidence) <= minExplainedShare))
       return {};
     evidence = Evidence(trials, estimateNoiseBeside(predictions, trials));
   }

@@ -16,7 +16,7 @@ namespace {
 
 constexpr double farthest = 1;         // step of a value, in the logarithm of its strength
 constexpr double firstDamping = 1e-2;  // of a step: share of the information that is added to it
-constexpr double settled = 0.05;       // gain of log density below which derivatives lead nowhere
+constexpr double minGain = 0.05;       // gain of log density below which derivatives lead nowhere
 /// Strides of a sweep, in the logarithm of a strength: 2, 1.26 and 1.08 times.
 constexpr std::array sweepStrides = {0.7, 0.233, 0.078};
 
@@ -39,7 +39,7 @@ public:
       const double before = fitted_.density;
       linearise();
       stepByDerivatives();
-      if (fitted_.density - before >= settled) continue;
+      if (fitted_.density - before >= minGain) continue;
       if (!sweep(sweepStrides.size())) break;
       damping_ = firstDamping;  // failed steps said nothing of the place that the sweep led to
     }
@@ -119,7 +119,7 @@ private:
     Eigen::VectorXd x = logStrengths(fitted_.causes);
     do x[static_cast<Eigen::Index>(i)] += way;
     while (moved(x));
-    return fitted_.density - before >= settled;
+    return fitted_.density - before >= minGain;
   }
 
   const Replayer& replayer_;

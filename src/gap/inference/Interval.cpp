@@ -52,8 +52,8 @@ public:
   /// curved where it is fitted: a reading once a cycle is the same for all delays within the cycle.
   double reach(const Eigen::VectorXd& way, double first, double most) const {
     double inside = 0, outside = most;
-    double next = std::clamp(first, least, most);
-    for (int look = 0; look < mostLooks && outside > settled * inside; ++look) {
+    double next = std::clamp(first, minFirstLook, most);
+    for (int look = 0; look < mostLooks && outside > endRatio * inside; ++look) {
       (atFit_ - density(x_ + next * way) < fall ? inside : outside) = next;
       if (inside >= most) break;
       next = outside < most ? (inside > 0 ? std::sqrt(inside * outside) : outside / 4)
@@ -64,9 +64,9 @@ public:
 
 private:
   static constexpr double fall = deviations * deviations / 2;
-  static constexpr double least = 1e-4;   // first look, in the logarithm of a strength
-  static constexpr double settled = 1.2;  // ratio of what is outside to what is inside, that is near enough
-  static constexpr int mostLooks = 10;    // each replays everything
+  static constexpr double minFirstLook = 1e-4;  // in the logarithm of a strength
+  static constexpr double endRatio = 1.2;       // of what is outside to what is inside: near enough
+  static constexpr int mostLooks = 10;          // each replays everything
 
   double density(const Eigen::VectorXd& x) const {
     return densityOn(replayer_, shares_, withLogStrengths(replayer_.mechanism(), causes_, x));

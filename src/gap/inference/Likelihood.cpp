@@ -50,7 +50,7 @@ std::array<double, lagsAtOnce> laggedProducts(const std::vector<double>& x, std:
 
 double likeliestScale(const std::vector<double>& residuals, double least) {
   constexpr int rounds = 60;
-  constexpr double settled = 1e-4;
+  constexpr double maxChange = 1e-4;  // of the square, as a share of it, in the last round
   std::vector<double> squared;
   squared.reserve(residuals.size());
   double squares = 0;
@@ -62,7 +62,7 @@ double likeliestScale(const std::vector<double>& residuals, double least) {
   for (int round = 0; round < rounds; ++round) {
     const double sum = sumOfBounded(squared, square);
     const double next = std::max((tailFreedom + 1) * sum / n, least * least);
-    const bool done = std::abs(next - square) <= settled * square;
+    const bool done = std::abs(next - square) <= maxChange * square;
     square = next;
     if (done) break;
   }

@@ -11,9 +11,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr std::size_t mostJudged = 13;                // sets that are kept
-constexpr int rounds = 6, quickRounds = 4;            // of new derivatives
-constexpr std::size_t settled = 5, quickSettled = 3;  // sets that are fitted to their end
+constexpr std::size_t mostJudged = 13;                      // sets that are kept
+constexpr int rounds = 6, quickRounds = 4;                  // of new derivatives
+constexpr std::size_t fittedSets = 5, quickFittedSets = 3;  // sets that are fitted to their end
 
 bool sameKinds(const Explanation& a, const Explanation& b) {
   return a.size() == b.size() && std::ranges::all_of(a, [&](const Cause& cause) {
@@ -111,7 +111,7 @@ BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions&
   LinearSearchOptions search;
   search.mostCauses = options.mostCauses;
   search.rounds = options.quick ? quickRounds : rounds;
-  search.mostSettled = options.quick ? quickSettled : settled;
+  search.mostSettled = options.quick ? quickFittedSets : fittedSets;
   search.idleCauses = [&](const Explanation& causes) { return idleCauses(replayer, causes); };
   search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
   const Shares nominal = sharesOf(replayer.groups(), replayer.residuals({}));

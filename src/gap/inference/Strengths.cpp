@@ -8,7 +8,7 @@ namespace plumbline::gap {
 namespace {
 
 /// Share of the least start: below the limit of doesNothing(), which so notices that a cause has vanished.
-constexpr double nothing = 2e-5;
+constexpr double minStrength = 2e-5;
 
 }  // namespace
 
@@ -43,7 +43,7 @@ Explanation withLogStrengths(const Mechanism& robot, Explanation causes, const E
     Cause& cause = causes[i];
     const double sign = cause.effect->strengthOf(cause.value) < 0 ? -1 : 1;
     const double strength =
-        std::max(nothing * leastStart(robot, cause), std::exp(x[static_cast<Eigen::Index>(i)]));
+        std::max(minStrength * leastStart(robot, cause), std::exp(x[static_cast<Eigen::Index>(i)]));
     cause = withStrength(robot, cause, sign * strength);
   }
   return causes;

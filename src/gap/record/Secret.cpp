@@ -16,7 +16,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double visible = 6, obvious = 60;
+constexpr double minSize = 6, maxSize = 60;  // of an effect, in noises of the reading that shows it most
 
 Prediction played(const Mechanism& robot, const Trial& trial, const Explanation& causes) {
   const Plant plant = plantOf(robot, causes);
@@ -75,10 +75,10 @@ Cause drawSecret(const Mechanism& robot, const std::vector<Excitation>& programs
       cause.value = nothing + deviation;
       if (cause.value < cause.effect->lower * scale || cause.value > cause.effect->upper * scale) break;
       double size = 0;
-      for (std::size_t t = 0; t < trials.size() && size <= obvious; ++t)
+      for (std::size_t t = 0; t < trials.size() && size <= maxSize; ++t)
         size = std::max(size, difference(trials[t], nominal[t], played(robot, trials[t], {cause})));
-      if (size >= visible && size <= obvious) return cause;
-      deviation *= size < visible ? 1.5 : 0.6;
+      if (size >= minSize && size <= maxSize) return cause;
+      deviation *= size < minSize ? 1.5 : 0.6;
     }
   }
   throw std::runtime_error("no effect of the library shows in these programs on " + robot.name +

@@ -11,7 +11,7 @@ namespace plumbline::gap {
 struct SimsparkRecordingOptions {
   std::string host = "127.0.0.1";
   int port = 3100;
-  int type = 0;  ///< of the robot, 0..4
+  int type = 0;  ///< of the robot, as simsparkRobots
   std::string team = "Plumbline";
   int number = 0;      ///< of the player; 0: the next free one
   double timeout = 5;  ///< the server must send its next message within [s]

@@ -15,16 +15,16 @@ constexpr double widePlay = 0.1;        // [rad]: what swings free in it bounces
 
 // A residual with 1 / roughnessFactor of the limit cycle's roughness, or more, may be one.
 constexpr double roughnessFactor = 2;
-// Mean square of a residual over the variance within `reach`: the scatter counts in full up to the first
+// Mean square of a residual over the variance within `reach`: the variance counts in full up to the first
 // ratio, and not at all from the second on.
-constexpr double fullScatterRatio = 4, noScatterRatio = 8;
+constexpr double fullVarianceRatio = 4, noVarianceRatio = 8;
 
 /// One of the replays whose variance says how uncertain the prediction of a limit cycle is.
 struct Member {
   double later;  ///< the run begins so much later: another phase of the limit cycle [s]
   double toothStiffness, toothDamping;
 };
-constexpr std::array members = {Member{0, 4000, 0.6}, Member{0.0137, 2200, 1.1}, Member{0.0291, 7000, 0.35}};
+constexpr std::array ensemble = {Member{0, 4000, 0.6}, Member{0.0137, 2200, 1.1}, Member{0.0291, 7000, 0.35}};
 
 /// Mean of what is smoothed over `reach` cycles to each side.
 std::vector<double> smoothed(const std::vector<double>& values, std::size_t cycles) {
@@ -58,7 +58,7 @@ private:
 };
 
 /// The share of a residual that may be a limit cycle: none of one that is much slower than the differences of
-/// the members.
+/// the ensemble.
 double likeLimitCycle(const std::vector<double>& measured, const std::vector<double>& mean,
                       double roughness) {
   Roughness residual;
@@ -90,9 +90,9 @@ double alsoCycles(const std::vector<double>& measured, const std::vector<double>
                   : 1;
 }
 
-/// Takes back the doubt where the members agree far better with each other than with what was measured: that
+/// Takes back the doubt where the ensemble agrees far better with itself than with what was measured: that
 /// is no limit cycle.
-void keepWhereBorneOut(std::vector<double>& scatter, const std::vector<double>& measured,
+void keepWhereBorneOut(std::vector<double>& variance, const std::vector<double>& measured,
                        const std::vector<double>& mean, std::size_t cycles) {
   std::vector<double> squares(mean.size());
   for (std::size_t k = 0; k < mean.size(); ++k) {
@@ -101,9 +101,9 @@ void keepWhereBorneOut(std::vector<double>& scatter, const std::vector<double>& 
   }
   squares = smoothed(squares, cycles);
   for (std::size_t k = 0; k < mean.size(); ++k)
-    if (squares[k] > fullScatterRatio * scatter[k])
-      scatter[k] *=
-          std::max(0.0, (noScatterRatio - squares[k] / scatter[k]) / (noScatterRatio - fullScatterRatio));
+    if (squares[k] > fullVarianceRatio * variance[k])
+      variance[k] *=
+          std::max(0.0, (noVarianceRatio - squares[k] / variance[k]) / (noVarianceRatio - fullVarianceRatio));
 }
 
 /// Mean and smoothed variance of one signal over the members; the variance is that of a further one around
@@ -131,8 +131,8 @@ void combine(const std::vector<Prediction>& all, const Prediction& calm, const T
   const double share = likeLimitCycle(measured, mean, differences.value()) *
                        alsoCycles(measured, calm.values[signal], cycling);
   for (double& v : variance) v *= share * share;
-  result.scatter[signal] = smoothed(variance, cycles);
-  keepWhereBorneOut(result.scatter[signal], measured, mean, cycles);
+  result.variance[signal] = smoothed(variance, cycles);
+  keepWhereBorneOut(result.variance[signal], measured, mean, cycles);
 }
 
 }  // namespace
@@ -151,7 +151,7 @@ Prediction predictEnsemble(const Plant& plant, const Trial& trial, const ReplayO
                    std::ranges::find(options.joints, static_cast<int>(j)) != options.joints.end()));
   if (!any) return replay(plant, trial, options);
   std::vector<Prediction> all;
-  for (const Member& member : members) {
+  for (const Member& member : ensemble) {
     Plant other = plant;
     for (JointPlant& joint : other.joints) {
       joint.toothStiffness = member.toothStiffness;
@@ -170,7 +170,7 @@ Prediction predictEnsemble(const Plant& plant, const Trial& trial, const ReplayO
                          : reach;
   const auto cycles = static_cast<std::size_t>(std::clamp(std::round(reach / cycle), 1.0, 1000.0));
   Prediction result = all.front();
-  result.scatter.resize(result.values.size());
+  result.variance.resize(result.values.size());
   for (std::size_t s = 0; s < result.values.size(); ++s)
     if (!result.values[s].empty()) combine(all, calm, trial, s, cycles, result);
   return result;

@@ -12,8 +12,8 @@ bool anyLimitCycle(const Plant& plant);
 /// Prediction of a plant's readings when limit cycles make it uncertain. Without a limit cycle it is one
 /// replay. Otherwise it is the mean of several replays with different phases of the limit cycle and different
 /// stiffness of the teeth, which are unknown. Their variance, over a quarter of a second to each side, is in
-/// Prediction::scatter. It is scaled down where the residual varies more slowly than the limit cycle: a joint
-/// that drifts away has none.
+/// Prediction::variance. It is scaled down where the residual varies more slowly than the limit cycle: a
+/// joint that drifts away has none.
 Prediction predictEnsemble(const Plant& plant, const Trial& trial, const ReplayOptions& options);
 
 }  // namespace plumbline::gap

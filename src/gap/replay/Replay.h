@@ -34,7 +34,7 @@ inline ReplayOptions withLongSteps() {
 struct Prediction {
   std::vector<std::vector<double>> values;
   /// Unpredictable part: variance per signal and cycle; empty if nothing is uncertain.
-  std::vector<std::vector<double>> scatter;
+  std::vector<std::vector<double>> variance;
   bool fell = false;  ///< a free robot's torso tilted by more than 60 degrees
 };
 

@@ -12,8 +12,8 @@ namespace {
 
 constexpr double unmeasured = std::numeric_limits<double>::quiet_NaN();
 constexpr int maxRegimes = 5, frictionSweeps = 30;
-constexpr int mostRounds = 30;    // of frictions and contacts in turn
-constexpr double agreed = 0.002;  // of what frictions can hold: change in the last
+constexpr int mostRounds = 30;       // of frictions and contacts in turn
+constexpr double maxChange = 0.002;  // in the last round, as a share of what frictions can hold
 
 double firstFinite(const std::vector<double>& values, double fallback) {
   for (const double value : values)
@@ -210,7 +210,7 @@ void Stepper::bind(double h) {
         fresh += columns_.col(i) * frictions_[static_cast<std::size_t>(i)].force;
       // What contacts have undone of what frictions hold: else what sticks would creep.
       const double changed = sweepFrictions(fresh.data());
-      if (round > 0 && changed <= agreed * hold) break;
+      if (round > 0 && changed <= maxChange * hold) break;
       const Eigen::VectorXd before = fresh - pushed_;
       fresh = before;
       contacts_->solve(h, fresh);

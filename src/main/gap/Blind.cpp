@@ -1,4 +1,6 @@
 // bin/gap blind: benchmarks whose answers are sealed, and how well answers do on them.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <cstdio>
 #include <filesystem>
 #include <memory>
@@ -14,6 +16,7 @@
 #include "main/gap/Commands.h"
 #include "main/gap/ProgressLine.h"
 #include "robot/MechanismFile.h"
+#include "servo/RobotSimulation.h"
 
 namespace plumbline::gap {
 
@@ -103,9 +106,11 @@ void addBlind(CommandLine& app) {
                "Recordings of one real robot, its base fixed: causes are planted in these, instead of a "
                "simulated reality");
   maker
-      .option("--engine", making->engine,
-              "What simulates the reality: bullet, mujoco (if it is installed), replay (the diagnosis' "
-              "own dynamics), or program (a separate one: --engine-program)")
+      .option(
+          "--engine", making->engine,
+          fmt::format("What simulates the reality: an engine of this program ({}), replay (the diagnosis' "
+                      "own dynamics), or program (a separate one: --engine-program)",
+                      fmt::join(simulation::RobotSimulations::names(), ", ")))
       .showDefault();
   maker.option("--battery", *battery, "Motions: hung up, or on the feet as well")
       .oneOf({"hang", "all"})

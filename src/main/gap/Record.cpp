@@ -1,5 +1,7 @@
 // bin/gap record: plays excitation programs on a simulated robot, or on one of a SimSpark server, and writes
 // runs.
+#include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
@@ -164,11 +166,14 @@ void addRecord(CommandLine& app) {
       .showDefault();
   command
       .option("--engine", options->engine,
-              "own: the diagnosis' own dynamics; or another engine: bullet, mujoco (if it is installed)")
+              fmt::format("own: the diagnosis' own dynamics; or another engine of this program: {}",
+                          fmt::join(simulation::RobotSimulations::names(), ", ")))
       .showDefault();
   command.option("--host", options->simspark.host, "Of the SimSpark server").showDefault();
   command.option("--port", options->simspark.port, "Its port for agents").port().showDefault();
-  command.option("--type", options->simspark.type, "Of the SimSpark robot").range(0, 9).showDefault();
+  command.option("--type", options->simspark.type, "Of the SimSpark robot")
+      .range(0, maxSimsparkTypes - 1)
+      .showDefault();
   command.option(
       "--program", options->programs,
       std::string("Programs: names in config/excitation, or files; several make several runs. Walks are "

@@ -35,7 +35,7 @@ Vec2 SetPieceTaker::at(const SetPiecePlace& place) const {
 
 /// How free the ball's way is, less what keeps mates from its end [m].
 double SetPieceTaker::worth(const Vec2& end) const {
-  double clear = enough, mate = farMate;
+  double clear = farOpponent, mate = farMate;
   for (const OtherRobot& robot : theOtherRobots->robots) {
     if (robot.fallen) continue;
     if (robot.mate)
@@ -49,7 +49,7 @@ double SetPieceTaker::worth(const Vec2& end) const {
 const SetPiecePlace* SetPieceTaker::chooseKick(const SetPiece& piece) {
   const bool known = std::ranges::any_of(piece.kick, [&](const auto& place) { return &place == chosen_; });
   const SetPiecePlace* best = known ? chosen_ : nullptr;
-  double most = best ? worth(at(*best)) + stays : 0;
+  double most = best ? worth(at(*best)) + changeMargin : 0;
   for (const SetPiecePlace& place : piece.kick)
     if (const double value = worth(at(place)); !best || value > most) {
       best = &place;

@@ -21,11 +21,12 @@ MODULE(SetPieceTaker)
   PROVIDES(SetPieceOutput)
   PARAMETER(double, ballMaxAge, 3, "s", Range(0.1, 60),
             "a ball that was not seen for longer is left to others")
-  PARAMETER(double, enough, 3, "m", Range(0.1, 20), "an opponent farther from the ball's way does not matter")
+  PARAMETER(double, farOpponent, 3, "m", Range(0.1, 20),
+            "an opponent farther from the ball's way does not matter")
   PARAMETER(double, reception, 0.4, "", Range(0, 5),
             "what a metre between the ball's end and the next mate costs, in metres of free way")
   PARAMETER(double, tolerance, 0.15, "rad", Range(0.01, 1), "a kick may go so far aside, to either side")
-  PARAMETER(double, stays, 0.5, "m", Range(0, 10),
+  PARAMETER(double, changeMargin, 0.5, "m", Range(0, 10),
             "another kick must be better by this to replace the last choice")
 END_MODULE
 

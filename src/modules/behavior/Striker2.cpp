@@ -25,14 +25,15 @@ void Striker2::draw(const StrikerSituation& situation) const {
   });
   // What a ball is worth that is nobody's, by squares of a metre: green ours, red theirs.
   DEBUG_DRAWING("draw:Striker2:value", {
-    constexpr double most = 0.6;
+    constexpr double maxOpacity = 0.6;  // share of the colour, where the value is 1
     const int ahead = static_cast<int>(std::ceil(situation.halfLength)),
               aside = static_cast<int>(std::ceil(situation.halfWidth));
     for (int x = -ahead; x < ahead; ++x)
       for (int y = -aside; y < aside; ++y) {
         const double worth = value_->at({{x + 0.5, y + 0.5}, 0});
-        drawing.polygon({Vec2(x, y), Vec2(x + 1, y), Vec2(x + 1, y + 1), Vec2(x, y + 1)},
-                        colours::faint(worth > 0 ? colours::green : colours::red, most * std::abs(worth)));
+        drawing.polygon(
+            {Vec2(x, y), Vec2(x + 1, y), Vec2(x + 1, y + 1), Vec2(x, y + 1)},
+            colours::faint(worth > 0 ? colours::green : colours::red, maxOpacity * std::abs(worth)));
       }
   });
 }

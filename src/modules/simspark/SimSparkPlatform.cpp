@@ -19,7 +19,7 @@ void SimSparkPlatform::declareOptions(CommandLine& app) {
       .range(0, 11)
       .showDefault();
   app.option("--type", agent.type, "robot type: N of config/robots/simspark_typeN.json")
-      .range(0, 9)
+      .range(0, maxSimsparkTypes - 1)
       .showDefault();
   app.option("--token", agent.token, "token of the simulator, if its port is open to other machines");
   app.option("--host", agent.host, "host of the simulator").showDefault();

@@ -46,11 +46,11 @@ void MonitorScene::appendTransform(const Matrix& matrix) {
   text_ += ')';
 }
 
-void MonitorScene::appendIfMoved(const Matrix& matrix, Matrix& sent) {
+void MonitorScene::appendIfMoved(const Matrix& matrix, Matrix& lastSent) {
   for (std::size_t i = 0; i < matrix.size(); ++i) {
-    if (std::fabs(matrix[i] - sent[i]) <= precision) continue;
+    if (std::fabs(matrix[i] - lastSent[i]) <= precision) continue;
     appendTransform(matrix);
-    sent = matrix;
+    lastSent = matrix;
     return;
   }
 }
@@ -170,9 +170,10 @@ void MonitorScene::appendRobot(const Simulation& simulation, const Player& playe
   const auto& bodyLinks = links(player);
   for (std::size_t i = 0; i < bodies.size(); ++i) {
     const BodyLook& look = bodies[i];
-    view.sent.push_back(matrixOf(simulation.world().linkState(player.robot, bodyLinks[i]).pose, true));
+    view.sentMatrices.push_back(
+        matrixOf(simulation.world().linkState(player.robot, bodyLinks[i]).pose, true));
     text_ += "(nd TRF";
-    appendTransform(view.sent.back());
+    appendTransform(view.sentMatrices.back());
     if (look.turned) text_ += bodyMeshTurn;
     if (look.mesh.empty())
       text_ += "(nd SMN (setVisible 1) (load " + look.shape + ") (sSc " + look.scale + ") (sMat " +
@@ -217,7 +218,7 @@ void MonitorScene::appendRobotDifference(const Simulation& simulation, const Pla
     const BodyLook& look = bodies[i];
     text_ += "(nd";
     appendIfMoved(matrixOf(simulation.world().linkState(player.robot, bodyLinks[i]).pose, true),
-                  view.sent[i]);
+                  view.sentMatrices[i]);
     text_ += look.mesh.empty() ? "(nd SMN)" : look.turned ? "(nd(nd StaticMesh))" : "(nd StaticMesh)";
     if (look.marker) {
       text_ += "(nd(nd SMN";

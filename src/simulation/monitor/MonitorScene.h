@@ -22,7 +22,7 @@ public:
 private:
   using Matrix = std::array<float, 16>;  ///< by columns, SimSpark's axes
   struct RobotView {
-    std::vector<Matrix> sent;
+    std::vector<Matrix> sentMatrices;  ///< of its links, as the monitors have them
     bool selected = false;
   };
   struct SentGame {
@@ -38,7 +38,7 @@ private:
   void appendRobotDifference(const Simulation& simulation, const Player& player, RobotView& view);
   void appendTransform(const Matrix& matrix);
   /// " (SLT ...)" if the matrix moved far enough from what was sent.
-  void appendIfMoved(const Matrix& matrix, Matrix& sent);
+  void appendIfMoved(const Matrix& matrix, Matrix& lastSent);
   static Matrix matrixOf(const Pose3& pose, bool robotAxes);
 
   const std::vector<BodyLook>& looks(int type);

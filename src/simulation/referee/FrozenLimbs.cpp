@@ -4,11 +4,11 @@ namespace plumbline::simulation {
 
 bool FrozenLimbs::freeze(const Limb& limb, double time, const FreezeTimes& times) {
   bool any = false;
-  for (int joint = limb.first; joint <= limb.last; ++joint) {
-    double& last = last_[static_cast<std::size_t>(joint)];
-    if (time - last <= times.frozen + times.thaw) continue;
+  for (std::size_t joint = 0; joint < maxJoints; ++joint) {
+    double& last = last_[joint];
+    if (!limb.test(joint) || time - last <= times.frozen + times.thaw) continue;
     last = time;
-    joints_.set(static_cast<std::size_t>(joint));
+    joints_.set(joint);
     any = true;
   }
   return any;

@@ -1,11 +1,7 @@
 #pragma once
-#include <bitset>
-
 #include "simulation/referee/LimbCollision.h"
 
 namespace plumbline::simulation {
-
-using JointSet = std::bitset<maxJoints>;
 
 struct FreezeTimes {
   double frozen;  ///< a joint takes no speed for so long [s]

@@ -1,7 +1,6 @@
 #include "simulation/referee/LimbCollision.h"
 
 #include <cmath>
-#include <string_view>
 
 namespace plumbline::simulation {
 
@@ -56,24 +55,28 @@ int hangsOn(const RobotModel& model, int link) {
   return link;
 }
 
-/// An arm's boxes are looked at with each other and with the torso; a leg's not with the one they hang on.
-bool exempt(const RobotModel& model, int a, int b) {
-  const auto& name = model.links[static_cast<std::size_t>(b)].name;
-  const bool arm = std::string_view(name).ends_with("Arm");
-  return !arm && hangsOn(model, b) == a;
+/// The link of its limb that hangs on the torso; 0: it is the torso.
+int limbRoot(const RobotModel& model, int link) {
+  while (link > 0 && model.links[static_cast<std::size_t>(link)].parent > 0)
+    link = model.links[static_cast<std::size_t>(link)].parent;
+  return link;
 }
 
-constexpr Limb limbs[] = {{lShoulderPitch, lElbowRoll},
-                          {rShoulderPitch, rElbowRoll},
-                          {lHipYawPitch, lToePitch},
-                          {rHipYawPitch, rToePitch}};
-
-/// All joints of the arm or leg a link belongs to; none: the torso.
 Limb limbOf(const RobotModel& model, int link) {
-  const int joint = model.links[static_cast<std::size_t>(link)].joint;
-  for (const Limb& limb : limbs)
-    if (joint >= limb.first && joint <= limb.last) return limb;
-  return {0, -1};
+  Limb limb;
+  const int root = limbRoot(model, link);
+  for (std::size_t i = 1; i < model.links.size(); ++i)
+    if (model.links[i].joint != noJoint && limbRoot(model, static_cast<int>(i)) == root)
+      limb.set(static_cast<std::size_t>(model.links[i].joint));
+  return limb;
+}
+
+/// An arm, a limb with a shoulder, is looked at with all its boxes and the torso; another limb's box not with
+/// the one that it hangs on.
+bool exempt(const RobotModel& model, int a, int b) {
+  if (hangsOn(model, b) != a) return false;
+  const Limb limb = limbOf(model, b);
+  return !limb.test(lShoulderPitch) && !limb.test(rShoulderPitch);
 }
 
 }  // namespace

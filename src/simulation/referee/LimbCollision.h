@@ -1,4 +1,5 @@
 #pragma once
+#include <bitset>
 #include <vector>
 
 #include "robot/RobotModel.h"
@@ -6,10 +7,10 @@
 
 namespace plumbline::simulation {
 
-/// All joints of an arm or leg; none, first 0 and last -1: the torso.
-struct Limb {
-  int first, last;
-};
+using JointSet = std::bitset<maxJoints>;
+
+/// All joints of what hangs on the torso in one place, as an arm or a leg; none: the torso.
+using Limb = JointSet;
 
 /// Two limbs of a robot that pass through each other.
 struct LimbCollision {

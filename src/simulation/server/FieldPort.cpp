@@ -91,9 +91,9 @@ void FieldPort::sendState() {
     if (!viewer->admitted || viewer->client.broken() || now < viewer->nextTime || !viewer->client.idle())
       continue;
     if (text_.empty()) text_ = fieldMessage(simulation_);
-    if (viewer->sent == text_) continue;
+    if (viewer->lastMessage == text_) continue;
     viewer->client.send(text_);
-    viewer->sent = text_;
+    viewer->lastMessage = text_;
     viewer->nextTime = now + simspark::fieldInterval;
   }
 }

@@ -36,7 +36,7 @@ private:
     FramedClient client;
     bool admitted = false, spoke = false;
     double nextTime = 0;  ///< wall clock
-    std::string sent;
+    std::string lastMessage;
   };
 
   void accept();

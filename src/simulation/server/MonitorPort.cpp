@@ -138,7 +138,7 @@ void MonitorPort::sendToViewer(Monitor& monitor, bool regular) {
 }
 
 void MonitorPort::sendState(bool regular) {
-  bool anyNew = false, anyInformed = false;
+  bool anyUninformed = false, anyInformed = false;
   for (const auto& monitor : monitors_) {
     if (!monitor->admitted || monitor->client.broken()) continue;
     if (monitor->clockAsked && monitor->clockSent != clock_.changes) {
@@ -148,18 +148,19 @@ void MonitorPort::sendState(bool regular) {
     if (monitor->view)
       sendToViewer(*monitor, regular);
     else
-      (monitor->informed ? anyInformed : anyNew) = true;
+      (monitor->informed ? anyInformed : anyUninformed) = true;
     if (monitor->acknowledge) monitor->client.send("best");
     monitor->acknowledge = false;
   }
-  if (!anyNew && !(anyInformed && regular)) return;
+  if (!anyUninformed && !(anyInformed && regular)) return;
 
   // A robot came, went or got its number: everybody needs the whole scene. A new monitor needs it as well,
   // but first the others get what changed, as the scene then forgets what it sent them.
   const bool whole = simulation_.sceneVersion() != sentVersion_;
   sentVersion_ = simulation_.sceneVersion();
   if (anyInformed && !whole) send(scene_.difference(simulation_), Recipients::informed);
-  if (anyNew || whole) send(scene_.full(simulation_), whole ? Recipients::all : Recipients::uninformed);
+  if (anyUninformed || whole)
+    send(scene_.full(simulation_), whole ? Recipients::all : Recipients::uninformed);
 }
 
 void MonitorPort::send(const std::string& text, Recipients recipients) {

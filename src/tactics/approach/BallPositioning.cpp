@@ -14,10 +14,10 @@ void BallPositioning::learnBias(const Pose2& T_robot_target, const BallPositioni
 }
 
 bool BallPositioning::exact(const Wish& wish, const Vec2& error, const BallPositioningParameters& p) const {
-  const double stays = atBall_ ? p.keeps : 1;
-  const double most = stays * wish.headingTolerance.value_or(wish.hurry * p.toleranceHeading);
-  return std::abs(error.x()) < stays * wish.hurry * p.toleranceForward &&
-         std::abs(error.y()) < stays * wish.hurry * p.toleranceSideways && std::abs(wish.heading) < most;
+  const double tolerances = atBall_ ? p.leaveTolerances : 1;
+  const double most = tolerances * wish.headingTolerance.value_or(wish.hurry * p.toleranceHeading);
+  return std::abs(error.x()) < tolerances * wish.hurry * p.toleranceForward &&
+         std::abs(error.y()) < tolerances * wish.hurry * p.toleranceSideways && std::abs(wish.heading) < most;
 }
 
 Pose2 BallPositioning::placeOf(const Wish& wish) {

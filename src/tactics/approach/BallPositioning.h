@@ -19,7 +19,7 @@ struct BallPositioningParameters {
   PARAMETER(double, toleranceSideways, 0.02, "m", Range(0.001, 1), "of the ball's place to the side")
   PARAMETER(double, toleranceHeading, 0.15, "rad", Range(0.001, 3.2),
             "of the robot's heading, where the behaviour asks for no other")
-  PARAMETER(double, keeps, 1.4, "", Range(1, 10),
+  PARAMETER(double, leaveTolerances, 1.4, "", Range(1, 10),
             "a robot at the ball counts as there until its error is this many tolerances")
   PARAMETER(double, biasGain, 1.5, "1/s^2", Range(0, 10),
             "how fast a drift of the walk is learned near the target")

@@ -37,8 +37,8 @@ WalkCommand walkToPose(const Pose2& T_robot_target, const WalkToPoseParameters& 
     // Slower while still turning: a fast walk in a tight curve swings out and loses time.
     double speed = parameters.maxForward * std::pow(std::cos(bearing), 3);
     if (parameters.sprintBearing > 0) {
-      const double straight =
-          std::max(parameters.sprintBearing, std::asin(std::min(1.0, parameters.sprintAside / distance)));
+      const double straight = std::max(parameters.sprintBearing,
+                                       std::asin(std::min(1.0, parameters.sprintPassDistance / distance)));
       const double most = sprinting ? std::max(straight, parameters.sprintHold) : straight;
       command.sprint = far && std::abs(bearing) < most;
       if (command.sprint) {

@@ -23,7 +23,7 @@ struct WalkToPoseParameters {
   PARAMETER(double, sprintHold, 0, "rad", Range(0, 1),
             "a sprint continues until the target is farther from straight ahead than this, because braking "
             "and starting again takes seconds; 0: as sprintBearing")
-  PARAMETER(double, sprintAside, 0, "m", Range(0, 3),
+  PARAMETER(double, sprintPassDistance, 0, "m", Range(0, 3),
             "or if the sprint passes the target within this distance: near the target a sprint continues")
   PARAMETER(
       double, sprintDistance, 1.5, "m", Range(0, 30),

@@ -26,7 +26,7 @@ const Vec3 farBall(-13, -9, simulation::WorldConfig().field.ballRadius);  // nob
 constexpr SearchedPath walkNumbers[] = {
     {"maxForward", 0.1},     {"maxBackward", 0.1},    {"maxSideways", 0.08}, {"maxTurn", 0.3},
     {"positionGain", 0.3},   {"headingGain", 0.5},    {"nearDistance", 0.1}, {"turnFirst", 0.15},
-    {"sprintDistance", 0.3}, {"sprintBearing", 0.05}, {"sprintHold", 0.1},   {"sprintAside", 0.1},
+    {"sprintDistance", 0.3}, {"sprintBearing", 0.05}, {"sprintHold", 0.1},   {"sprintPassDistance", 0.1},
     {"sprintTurn", 0.2},     {"sprintGain", 0.3},     {"alignSpeed", 0.15},  {"alignGain", 3},
     {"curveSpeed", 0.1},     {"turnEffort", 0.12},    {"turnWalking", 0.25}};
 

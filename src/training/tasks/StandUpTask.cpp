@@ -4,6 +4,7 @@
 #include <stdexcept>
 
 #include "framework/ConfigurationError.h"
+#include "motion/StandUpChoice.h"
 #include "training/tasks/WalkOn.h"
 
 namespace plumbline::training {
@@ -37,7 +38,8 @@ StandUpTask::StandUpTask(const StandUpOptions& options)
       still_(options.still),
       moving_(options.inPlay()),
       worlds_(options.world) {
-  const std::string usual = direction_ > 0 ? "standUpFront" : direction_ < 0 ? "standUpBack" : "rollOver";
+  const motion::StandUpParameters played;
+  const std::string& usual = direction_ > 0 ? played.front : direction_ < 0 ? played.back : played.side;
   try {
     first_ = worlds_.first().motion(options.motion.empty() ? usual : options.motion);
   } catch (const std::out_of_range& error) {

@@ -13,7 +13,7 @@ namespace plumbline::training {
 /// Options of all tasks that play motions.
 struct WorldOptions {
   PARAMETERS(WorldOptions)
-  PARAMETER(int, type, 0, "", Range(0, mostSimsparkTypes - 1), "the league's type of robot")
+  PARAMETER(int, type, 0, "", Range(0, maxSimsparkTypes - 1), "the league's type of robot")
   PARAMETER(std::string, engine, "ode", "", Range(), "physics engine: ode (the league's) or bullet")
   PARAMETER(std::string, effects, "", "", Range(),
             "file of effects that the worlds have, or an answer of bin/gap diagnose "

@@ -13,7 +13,7 @@ namespace plumbline::training {
 /// Options of the task walk.
 struct WalkOptions {
   PARAMETERS(WalkOptions)
-  PARAMETER(int, type, 0, "", Range(0, mostSimsparkTypes - 1), "the league's type of robot")
+  PARAMETER(int, type, 0, "", Range(0, maxSimsparkTypes - 1), "the league's type of robot")
   PARAMETER(std::string, direction, std::string(walking::taskNames[0]), "", Range(),
             "forward, backward, sideways, turn, mixture (any requests) or push")
   PARAMETER(double, seconds, walking::TrialSetup().seconds, "s", Range(2, 600), "length of a try")

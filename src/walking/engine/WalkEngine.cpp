@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robot/BodyJoints.h"
 #include "walking/engine/BodyCommand.h"
 #include "walking/estimation/ClosedLoop.h"
 #include "walking/estimation/Disturbance.h"
@@ -85,7 +86,7 @@ public:
   WalkOutput output(const Pose2& moved) const {
     WalkOutput out;
     out.angles = body_.angles();
-    for (int j = lShoulderPitch; j < maxJoints; ++j) out.set[static_cast<std::size_t>(j)] = true;
+    for (int j = firstBodyJoint; j < maxJoints; ++j) out.set[static_cast<std::size_t>(j)] = true;
     out.odometry = moved;
     out.support = state.support;
     out.phase = phase_;

@@ -26,9 +26,9 @@ void Disturbance::update(const WalkState& planned, const WalkState& observed, do
     const bool standing = planned.support == Support::both;
     const double passed = standing ? dt : 2 * p.step.duration;
     const double learnt = std::min(1.0, passed / p.observation.biasWindow) * (1 - share_);
-    constexpr double most = 0.02;  // [m]
-    before.foot += learnt * shortened(now_.foot, most);
-    before.velocity += learnt * shortened(now_.velocity, most * rate);
+    constexpr double maxOffset = 0.02;  // of the foot that is usual, and of the velocity in rate times it [m]
+    before.foot += learnt * shortened(now_.foot, maxOffset);
+    before.velocity += learnt * shortened(now_.velocity, maxOffset * rate);
   }
   capture_ = now_.velocity / rate - now_.foot;
   double share = 0;

@@ -22,7 +22,7 @@ public:
       products_[i] = kept * products_[i] + dt * at[i] * observed[i];
       squares_[i] = kept * squares_[i] + dt * at[i] * at[i];
       const double prior = knownSpeed[i] * knownSpeed[i];
-      scale_[i] = std::clamp((products_[i] + prior) / (squares_[i] + prior), 1 / most, most);
+      scale_[i] = std::clamp((products_[i] + prior) / (squares_[i] + prior), 1 / maxScale, maxScale);
     }
   }
 
@@ -30,8 +30,8 @@ public:
   Vec3 planned(const Vec3& aimed) const { return aimed.cwiseQuotient(scale_); }
 
 private:
-  static constexpr double settling = 0.6;  ///< after a change of speed: a step or two, and the delays [s]
-  static constexpr double most = 1.25;     ///< of the scale, and of its inverse
+  static constexpr double settling = 0.6;   ///< after a change of speed: a step or two, and the delays [s]
+  static constexpr double maxScale = 1.25;  ///< and its inverse is the least
   /// As if a second had been walked at these speeds with a scale of 1 [m/s, m/s, rad/s].
   static constexpr double knownSpeed[] = {0.1, 0.1, 0.4};
 

@@ -1,5 +1,5 @@
-# The track of a game and what its left players believed (OthersEvaluation): a line for each group of estimates with what, belief,
-# group, median and 95th percentile of the error in the field's frame [m], and the number of estimates of a player at a time. Groups:
+# The track of a game and what its left players believed (OthersEvaluation). Each group of estimates has a line: what, belief, group,
+# median and 95th percentile of the error in the field's frame [m], number of estimates of a player at a time. Groups:
 # near, middle, far by the player's distance (3 and 8 m), all; of the ball also unseen, which the player has not seen for `unseen` [1] s.
 BEGIN { FS = ","; OFS = "\t"; if (unseen == "") unseen = 1 }
 FNR == 1 { ++files; next }

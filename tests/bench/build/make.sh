@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# How long building takes, without the compiler cache, in a copy of the tree: what `make run` compiles from nothing; the agent
-# after one line was added to a module, for a module of each folder; make when nothing changed. Seconds of the clock, and of the
+# How long building takes, without the compiler cache, in a copy of the tree: what `make run` compiles from nothing. Also the agent
+# after one line was added to a module, for a module of each folder, and make when nothing changed. Seconds of the clock, and of the
 # processor, which other programs hardly change. Packages are installed before. Writes build/bench/build.json and build.md.
 # `make bench-build` writes doc/results/build.md.
 set -euo pipefail

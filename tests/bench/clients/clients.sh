@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Table 3.6 and figure 3.26 of the thesis (Seekircher 2015): the same 990 evaluations by more and more real workers, whose
-# evaluations sleep, and how much sooner they are done; table 3.7: the share of that time for which the server computes (updates of
+# evaluations sleep, and how much sooner they are done. Table 3.7: the share of that time for which the server computes (updates of
 # the optimiser, messages, files). Then real simulators, as many as there are cores. Writes build/bench/clients.json, .md and .svg.
 # SECONDS of an evaluation: SLEEP [0.1].
 set -euo pipefail

@@ -33,8 +33,8 @@ public:
 
   /// Starts simulator and agents. Throws std::runtime_error, one line.
   Duel(const DuelOptions& options, std::uint64_t seed);
-  /// Places by lot: the ball 1 to 6 m before the goal, a robot of each team at it, the others near; plays on
-  /// until a goal, until the ball leaves the other half, or the time is up. Throws std::runtime_error, one
+  /// Places by lot: the ball 1 to 6 m before the goal, a robot of each team at it, the others near. It plays
+  /// on until a goal, until the ball leaves the other half, or the time is up. Throws std::runtime_error, one
   /// line, if a program has ended.
   DuelResult play(std::uint64_t seed);
 

@@ -68,7 +68,7 @@ std::string reversedLines(int modules, bool second) {
   static const bool registered = (registerModules(std::make_integer_sequence<int, 100>()), true);
   benchmark::DoNotOptimize(registered);
   std::string text;
-  for (int n = modules - 1; n >= 0; n--) {
+  for (int n = modules - 1; n >= 0; --n) {
     const std::string module = "Module" + std::to_string(n);
     text += module + " Representation" + std::to_string(n) + "\n";
     if (second && n % 2 == 0) text += module + " Representation" + std::to_string(100 + n / 2) + "\n";

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # The team against players without teamwork, which all go to the ball (config/platforms/simspark/swarm.cfg), in whole
 # games on the embedded simulator.
-# Settings by the environment: GAMES [10], HALF seconds [300], SEED of the first game [1], JOBS at once [cores], BEFORE,
-# the folder of an earlier state that is built, to play against as well, OUT, what the results' files are called
+# Settings by the environment: GAMES [10], HALF seconds [300], SEED of the first game [1], JOBS at once [cores]. BEFORE:
+# the folder of an earlier state that is built, to play against as well. OUT: what the results' files are called
 # [build/bench/games]. Before the games one robot tries set starts (starts.sh). Writes OUT.json and OUT.md; what the
 # programs said stays in the new folder OUT. `make bench-games` builds what it needs and writes doc/results/games.md.
 # With OTHER, the command that starts a team that is not ours, nothing but games against that team, PLAYERS [11] on each

@@ -1,7 +1,8 @@
-# Reads games.log; of each game that is over a line for each team: name, goals for, against, falls, kicks, robots within 1.5 m of
-# the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m], shots, possession
-# [%], touching, charging, illegal defence, free kicks against, passes, completed ones, players that ended before the game or with
-# an error, late cycles of a player, its CPU per cycle (mean, 99th percentile [us]), seed, and who ended so. A dash: nothing is
+# Reads games.log. Of each game that is over a line for each team. In it: name, goals for, against, falls, kicks.
+# Then: robots within 1.5 m of the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m].
+# Then: shots, possession [%], touching, charging, illegal defence, free kicks against, passes, completed ones.
+# Then: players that ended before the game or with an error, late cycles of a player, its CPU per cycle (mean, 99th percentile [us]).
+# Last: seed, and who ended so. A dash: nothing is
 # known. Of a team that is not ours, those players have ended that are missing in the last scene. A shot: within half a second a
 # ball at a robot goes at least 1 m, and on towards the goal of the other team, 0.5 m beside it at most. Possession: of the scenes
 # with a robot within 1 m of the ball, those where the nearest one is of the team. The tracks are played/N/track.csv in the order of

@@ -1,8 +1,8 @@
 // Does the motion that bin/gap next proposes decide between two explanations? A robot in Bullet has one
-// effect of a size at which one recording leaves it and another explanation both likely; bin/gap next designs
-// a motion for the two, the robot plays it, and both explanations are fitted to both recordings. Beside it:
-// another motion of the battery, drawn at random. Environment: PAIRS [30], SEED [2], JOBS [1]. Pairs that are
-// done are kept in build/bench/gap-next-SEED/. Writes build/bench/gap-next.json and .md.
+// effect of a size at which one recording leaves it and another explanation both likely. Then bin/gap next
+// designs a motion for the two, the robot plays it, and both explanations are fitted to both recordings.
+// Beside it: another motion of the battery, drawn at random. Environment: PAIRS [30], SEED [2], JOBS [1].
+// Pairs that are done are kept in build/bench/gap-next-SEED/. Writes build/bench/gap-next.json and .md.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

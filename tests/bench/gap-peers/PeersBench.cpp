@@ -1,8 +1,8 @@
-// What others do, on the recordings that peers.sh gives to bin/gap diagnose: everything at once per joint by
-// Gauss-Newton and by CMA-ES, what MuJoCo's system identification and PACE fit, the friction models M1 to M6
-// of BAM, the best single effect. All are fitted to the recordings for fitting and measured as bin/gap check
-// measures: free replays of the others. Environment: DATA, their folder; SPLIT, one of splits.txt alone; JOBS
-// [1]. Pieces that are in build/gap-peers are taken as they are.
+// What others do, on the recordings that peers.sh gives to bin/gap diagnose. That is everything at once per
+// joint by Gauss-Newton and by CMA-ES, what MuJoCo's system identification and PACE fit, the friction models
+// M1 to M6 of BAM, the best single effect. All are fitted to the recordings for fitting and measured as
+// bin/gap check measures: free replays of the others. Environment: DATA, their folder; SPLIT, one of
+// splits.txt alone; JOBS [1]. Pieces that are in build/gap-peers are taken as they are.
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>

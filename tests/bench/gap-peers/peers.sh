@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # Head to head on recordings of real robots: bin/gap diagnose, and what bin/gap check measures of its answer on recordings
-# of other motions, beside what other ways of fitting do there (PeersBench.cpp, which runs before this). Writes
+# of other motions. Beside it stands what other ways of fitting do there (PeersBench.cpp, which runs before this). Writes
 # build/bench/gap-peers.json and .md.
 # The recordings are not part of the project. Environment:
 #   DATA     their folder [../shared/gap/real]

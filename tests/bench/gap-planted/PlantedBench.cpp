@@ -7,7 +7,7 @@
 //   MOTIONS of the XL330, which are fitted together [sin_sin up_and_down]
 //   GAINS   of it, each a set of recordings [kp100 kp200 kp800]
 //   JOBS    threads [1]
-// What is named already where nothing is planted is neither credit nor fault: a plant is named where its
+// What is named already where nothing is planted is neither credit nor fault. A plant is named where its
 // cause is new with the right sign, or its strength moved by the planted one within 25 %. A cause that undoes
 // a tenth of the plant's change or less counts as the same. Where the planted model is nearer to reality than
 // the nominal one (correlation of -0.5 or less with the gap) nothing is counted.

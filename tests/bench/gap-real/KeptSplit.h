@@ -7,8 +7,8 @@
 namespace plumbline::bench {
 
 /// What a split came to, kept in a folder so that a run that was stopped goes on and a split can be run
-/// alone: <folder>/<robot>.<split>.<method>.json with "page" (Markdown), "figures", "closed", "mean",
-/// "claimed" (null: blocks claim nothing of this kind) and "date".
+/// alone. The file is <folder>/<robot>.<split>.<method>.json with "page" (Markdown), "figures", "closed",
+/// "mean", "claimed" (null: blocks claim nothing of this kind) and "date".
 class KeptSplit {
 public:
   KeptSplit(const std::string& folder, const std::string& robot, const std::string& split, Method method);

@@ -6,7 +6,7 @@
 //   SPLIT  one split alone: kp100, kp200, kp800 of xl330; a, b, c of so101
 //   METHOD sets or blocks [sets]
 // A split that is in build/bench/gap-real-splits is taken as it is, so a run that was stopped goes on, and
-// the page holds every split that was run; after a change of the diagnosis remove that folder.
+// the page holds every split that was run. After a change of the diagnosis remove that folder.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

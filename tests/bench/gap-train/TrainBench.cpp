@@ -1,10 +1,10 @@
-// What a diagnosis is worth to the next walk: NAOs in Bullet that have one or two things that the model lacks
-// are recorded hung up and on their feet, diagnosed by bin/gap, and walked with a walk that bin/optimizewalk
-// trained on a model with what was found, beside the walk that the same search found on the nominal model.
-// Both begin with a walk searched on the nominal model before. Environment: ROBOTS [10], SEED [1], JOBS;
-// GENERATIONS [25], POPULATION [12], TRIES [6], SECONDS [6] of each search, MEASURED [100] tries of each walk
-// in the end. What is done is kept in build/bench/gap-train-SEED/: a bench that was stopped goes on; remove
-// the folder after a change of diagnosis or walk. Writes build/bench/gap-train.json and .md.
+// What a diagnosis is worth to the next walk. NAOs in Bullet that have one or two things that the model lacks
+// are recorded hung up and on their feet and diagnosed by bin/gap. They walk with a walk that
+// bin/optimizewalk trained on a model with what was found, and with the one that the same search found on the
+// nominal model. Both begin with a walk searched on the nominal model before. Environment: ROBOTS [10], SEED
+// [1], JOBS; GENERATIONS [25], POPULATION [12], TRIES [6], SECONDS [6] of each search, MEASURED [100] tries
+// of each walk in the end. What is done is kept in build/bench/gap-train-SEED/: a bench that was stopped goes
+// on; remove the folder after a change of diagnosis or walk. Writes build/bench/gap-train.json and .md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>

@@ -7,7 +7,7 @@
 //   BASELINES  simpler ways answer every n-th case [1]; 0: only the one that costs nothing
 //   SET        a folder that `bin/gap blind make` wrote, instead of making one
 // A set that is there is taken as it is, and so is each answer in build/bench/gap-answers-*: a run that was
-// stopped goes on; after a change of the diagnosis remove that folder.
+// stopped goes on. After a change of the diagnosis remove that folder.
 #include <algorithm>
 #include <atomic>
 #include <cmath>

@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What `make run` plays, one robot alone on the embedded simulator until it scores, for many seeds and each robot type: how long
-# until the goal, how often there is one and how often the robot falls. The same again with kickRight as the only kick, which was
+# What `make run` plays, one robot alone on the embedded simulator until it scores, for many seeds and each robot type.
+# How long until the goal, how often there is one and how often the robot falls. The same again with kickRight as the only kick, which was
 # made by hand. BEFORE, the folder of an earlier state that is built (bin and config), plays the same seeds; BEFORE_NAME says what it
 # is. Without it its runs come from before.tsv next to this script, so that the page keeps them; those of a new BEFORE are in
 # build/bench/goal.work/before.tsv. Other settings by the environment: SEEDS of each type [25], SEED of the first [1],

@@ -1,4 +1,4 @@
-# Lines "type seed goal time falls" of an earlier state (the first file; a comment says which; it may be empty), of now with the kick
+# Lines "type seed goal time falls" of an earlier state (the first file. A comment says which. It may be empty), of now with the kick
 # made by hand, and of now: a table in Markdown, the figures as the project's JSON, and what is drawn. Variables: seeds, first, types, limit, json, drawn.
 BEGIN { FS = "\t"; OFS = "\t"; kinds = split(types, type, " ") }
 # An earlier state's comment: "# STATE, played on DAY, at most LIMIT s".

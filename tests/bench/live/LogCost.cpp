@@ -1,5 +1,5 @@
-// What a log costs: the agent's thread, for all that a robot of the league knows in a cycle of a game, and
-// the thread that writes it, beside a bare stream of the same bytes.
+// What a log costs the agent's thread, for all that a robot of the league knows in a cycle of a game, and the
+// thread that writes it. Beside it a bare stream of the same bytes.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -62,7 +62,7 @@ struct Values {
 
   Values() {
     const auto& messages = game().cycles.at(game().cycles.size() / 2);
-    for (std::size_t i = 0; i < messages.size(); i++) {
+    for (std::size_t i = 0; i < messages.size(); ++i) {
       const auto* loader = Registry::instance().representations().at(game().thread.topics[i].representation);
       holders.push_back(loader->create());
       CdrInStream in(messages[i]);
@@ -97,7 +97,7 @@ double bareStream() {
   const auto begin = std::clock();
   std::vector<std::string> last(game().thread.topics.size());
   for (const auto& messages : game().cycles) {
-    for (std::size_t i = 0; i < messages.size(); i++) {
+    for (std::size_t i = 0; i < messages.size(); ++i) {
       if (messages[i] == last[i]) continue;
       const std::uint64_t head[] = {i, messages[i].size()};
       std::fwrite(head, sizeof(head), 1, file);

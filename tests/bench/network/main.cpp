@@ -1,6 +1,6 @@
-// Representations between two processes of this machine: how long they are under way beside samples that Fast
-// DDS carries by itself with the same qualities of service, what they cost the sender's cycle, and how soon a
-// reader that was killed has them again. Writes build/bench/live_network.json.
+// Representations between two processes of this machine. How long they are under way, beside samples that
+// Fast DDS carries by itself with the same qualities of service. What they cost the sender's cycle, and how
+// soon a reader that was killed has them again. Writes build/bench/live_network.json.
 #include <fastdds/dds/domain/DomainParticipant.hpp>
 #include <fastdds/dds/publisher/DataWriter.hpp>
 #include <fastdds/dds/publisher/Publisher.hpp>

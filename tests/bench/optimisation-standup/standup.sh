@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
 # The search of a stand-up from the front against the clock, from the motion made by hand: config/optimisation/standUpFront.yaml
-# with two workers, stopped every SLICE minutes [3] to try what it has found TRIES times [1000], until it is as fast and as sure as
+# with two workers. It is stopped every SLICE minutes [3] to try what it has found TRIES times [1000], until that is as fast and as sure as
 # the thesis's (table 3.1), or for MINUTES [30]. The tries do not count; stopping and going on do. Writes
 # build/bench/optimisation-standup.json, .md and .svg; the search stays in the folder optimisation-standup there. TYPE [0], WORKERS [2].
 set -euo pipefail

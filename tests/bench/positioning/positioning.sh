@@ -22,7 +22,7 @@ for type in $types; do
       a = 6.2832 * rand(); printf "%.3f %.3f %.3f\n", -6 + 1.5 * cos(a), 1.5 * sin(a), 6.2832 * rand() - 3.1416 }')
     # It beams itself there, so that it knows where it is.
     playSetStart "$type" $((seed + i)) 40 "-6 0 $x $y" "$x $y $heading"
-    # Begins when the play is on; the kick is where the ball is faster than 1 m/s; it has come to rest, or is reached again, by
+    # Begins when the play is on. The kick is where the ball is faster than 1 m/s. It has come to rest, or is reached again, by
     # the time that the robot is half a metre from it.
     awk -F, -v type="$type" '
       NR == 1 || $9 == "BeforeKickOff" { next }

@@ -1,5 +1,5 @@
 // What draws are worth to a kick: the same search, from the same start,
-// with the same seeds and as many runs, once in the nominal world alone and once over drawn robots; then both
+// with the same seeds and as many runs, once in the nominal world alone and once over drawn robots. Then both
 // kicks are tried in the nominal world, on Bullet, whose physics neither has seen, and on drawn robots that
 // were in no search. Environment: TYPE [0], MOTION [kickRight], SEEDS [3], GENERATIONS [80], MEASURED [200]
 // tries of each. Writes build/bench/robust.json and .md.

@@ -60,8 +60,8 @@ TEST(BehaviorTest, saysWhatTheRunDid) {
                                                    {"mean speed, walk", 0.1},
                                                    {"fell, walk", 0}};
   for (std::size_t i = 0; i < list.size(); ++i) {
-    EXPECT_EQ(list[i].what, wanted[i].first);
-    EXPECT_NEAR(list[i].measured, wanted[i].second, 1e-6) << list[i].what;
+    EXPECT_EQ(list[i].name, wanted[i].first);
+    EXPECT_NEAR(list[i].measured, wanted[i].second, 1e-6) << list[i].name;
   }
   EXPECT_DOUBLE_EQ(list[0].nominal, list[0].measured);
   EXPECT_DOUBLE_EQ(list[5].nominal, 1);
@@ -74,7 +74,7 @@ double measured(const std::string& what, const Trial& trial, const Mechanism& ro
   Prediction nominal;
   for (const Signal& signal : trial.signals) nominal.values.push_back(signal.values);
   for (const Behavior& line : behaviors(evaluator, {nominal}))
-    if (line.what == what + ", walk") return line.measured;
+    if (line.name == what + ", walk") return line.measured;
   return std::nan("");
 }
 
@@ -117,7 +117,7 @@ TEST(BehaviorTest, whatSteppedIsPlayedInOnePiece) {
   Evaluator evaluator(leg, evidence);
   evaluator.setBase({});
   const std::vector<Behavior> list = behaviors(evaluator, {evaluator.basePrediction(0)});
-  ASSERT_EQ(list[0].what, "sway (RMS turning rate), arm");
+  ASSERT_EQ(list[0].name, "sway (RMS turning rate), arm");
   EXPECT_NEAR(list[0].nominal, list[0].measured, 1e-9);
   EXPECT_NEAR(list[0].corrected, list[0].measured, 1e-9);
 }

@@ -24,17 +24,17 @@ TEST(EnsembleTest, whatDoesNotHuntIsPredictedAsItIsReplayed) {
   const Plant plant = armWithPlay(0.03, false);
   const Prediction one = replay(plant, trial), predicted = predictEnsemble(plant, trial, {});
   EXPECT_EQ(one.values, predicted.values);
-  EXPECT_TRUE(predicted.scatter.empty());
+  EXPECT_TRUE(predicted.variance.empty());
 }
 
 TEST(EnsembleTest, huntingThatNobodySeesIsInDoubt) {
   const Trial trial = recorded(armWithPlay(0.04, true), armTrial(twoJointArm(), 3), 5e-4, 5);
   const Prediction narrow = predictEnsemble(armWithPlay(0.01, true), trial, {}),
                    wide = predictEnsemble(armWithPlay(0.04, true), trial, {});
-  ASSERT_EQ(wide.scatter.size(), trial.signals.size());
-  ASSERT_EQ(wide.scatter[1].size(), trial.cycles());
-  for (const double variance : wide.scatter[1]) ASSERT_GE(variance, 0);
-  const double narrowSum = sumOf(narrow.scatter[1]), wideSum = sumOf(wide.scatter[1]),
+  ASSERT_EQ(wide.variance.size(), trial.signals.size());
+  ASSERT_EQ(wide.variance[1].size(), trial.cycles());
+  for (const double variance : wide.variance[1]) ASSERT_GE(variance, 0);
+  const double narrowSum = sumOf(narrow.variance[1]), wideSum = sumOf(wide.variance[1]),
                n = static_cast<double>(trial.cycles());
   EXPECT_GT(std::sqrt(wideSum / n), 0.002);
   EXPECT_LT(std::sqrt(wideSum / n), 0.04);  // not beyond the play
@@ -44,7 +44,7 @@ TEST(EnsembleTest, huntingThatNobodySeesIsInDoubt) {
 TEST(EnsembleTest, widePlayIsInDoubtWhereverTheEncoderSits) {
   const Trial trial = recorded(armWithPlay(0.15, false), armTrial(twoJointArm(), 3), 5e-4, 5);
   EXPECT_TRUE(hasLimitCycle(armWithPlay(0.15, false).joints[1]));
-  EXPECT_FALSE(predictEnsemble(armWithPlay(0.15, false), trial, {}).scatter.empty());
+  EXPECT_FALSE(predictEnsemble(armWithPlay(0.15, false), trial, {}).variance.empty());
 }
 
 TEST(EnsembleTest, playThatNoEncoderSeesDoesNotHunt) {
@@ -55,10 +55,10 @@ TEST(EnsembleTest, playThatNoEncoderSeesDoesNotHunt) {
 TEST(EnsembleTest, aJointThatDriftsAwayDoesNotHunt) {
   const Plant plant = armWithPlay(0.04, true);
   Trial trial = recorded(plant, armTrial(twoJointArm(), 3), 5e-4, 5);
-  const double hunting = sumOf(predictEnsemble(plant, trial, {}).scatter[1]);
+  const double hunting = sumOf(predictEnsemble(plant, trial, {}).variance[1]);
   for (std::size_t k = 0; k < trial.cycles(); ++k)
     trial.signals[1].values[k] += 0.2 * std::sin(2 * M_PI * 0.3 * trial.time[k]);
-  EXPECT_LT(sumOf(predictEnsemble(plant, trial, {}).scatter[1]), 0.05 * hunting);
+  EXPECT_LT(sumOf(predictEnsemble(plant, trial, {}).variance[1]), 0.05 * hunting);
 }
 
 TEST(EnsembleTest, aJointThatMovesSmoothlyDoesNotHunt) {
@@ -66,7 +66,7 @@ TEST(EnsembleTest, aJointThatMovesSmoothlyDoesNotHunt) {
   Plant rubbing = armWithPlay(0, false);
   rubbing.joints[1].coulomb = 0.3;
   const Trial trial = recorded(rubbing, armTrial(twoJointArm(), 3), 5e-4, 5);
-  EXPECT_EQ(sumOf(predictEnsemble(armWithPlay(0.04, true), trial, {}).scatter[1]), 0);
+  EXPECT_EQ(sumOf(predictEnsemble(armWithPlay(0.04, true), trial, {}).variance[1]), 0);
 }
 
 TEST(EnsembleTest, whatHuntingCannotReachIsNoDoubt) {
@@ -77,7 +77,7 @@ TEST(EnsembleTest, whatHuntingCannotReachIsNoDoubt) {
     double sum = 0;
     for (std::size_t k = 0; k < trial.cycles(); ++k)
       if (trial.time[k] - trial.time[0] >= from && trial.time[k] - trial.time[0] < to)
-        sum += predicted.scatter[1][k];
+        sum += predicted.variance[1][k];
     return sum;
   };
   const double before = doubtIn(0.5, 1.5), later = doubtIn(2.3, 2.7);
@@ -94,7 +94,7 @@ TEST(EnsembleTest, jointsThatAreNotReplayedCannotHunt) {
   const Trial trial = armTrial(twoJointArm(), 3);
   ReplayOptions options;
   options.joints = {0};
-  EXPECT_TRUE(predictEnsemble(armWithPlay(0.04, true), trial, options).scatter.empty());
+  EXPECT_TRUE(predictEnsemble(armWithPlay(0.04, true), trial, options).variance.empty());
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "gap/SomeTraces.h"
+#include "gap/LeagueTraces.h"
 
 namespace plumbline::gap {
 namespace {

@@ -4,14 +4,14 @@
 
 #include <filesystem>
 
-#include "gap/SomeTraces.h"
+#include "gap/LeagueTraces.h"
 #include "support/Thrown.h"
 
 namespace plumbline::gap {
 namespace {
 
 TEST(TraceEvidence, HoldsOutWholeRobotTypesAndLeavesIdleWindowsOut) {
-  const TraceEvidence evidence(someTraces(), 5, 16);
+  const TraceEvidence evidence(leagueTraces(), 5, 16);
   for (const TraceWindow& window : evidence.windows()) {
     const int type = *evidence.traces()[window.trace].robotType;
     EXPECT_EQ(window.leftOut, type == 1 || type == 3);
@@ -23,7 +23,7 @@ TEST(TraceEvidence, HoldsOutWholeRobotTypesAndLeavesIdleWindowsOut) {
 }
 
 TEST(TraceEvidence, NeedsRecordingsForBoth) {
-  auto one = someTraces();
+  auto one = leagueTraces();
   one.resize(1);
   EXPECT_EQ(
       thrownBy([&] { TraceEvidence evidence(one); }),

@@ -24,7 +24,7 @@ struct GetBallTest : testing::Test {
     BallPositioningParameters& p = harness.module().positioning;
     p.toleranceForward = p.toleranceSideways = 0.03;
     p.toleranceHeading = heading;
-    p.keeps = 1.4;
+    p.leaveTolerances = 1.4;
     p.biasGain = 1.5;
     p.biasDistance = p.maxBias = 0.15;
   }

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "RefereeFixture.h"
 #include "simulation/ArmIntoTorso.h"
 #include "simulation/referee/rules/SelfCollision.h"
@@ -69,6 +71,22 @@ TEST_F(SelfCollision, legsThroughEachOther) {
   EXPECT_GT(game.fouls.count(), 0);
   EXPECT_TRUE(player.frozen[lKneePitch] && player.frozen[rKneePitch]);
   EXPECT_FALSE(player.frozen[lShoulderPitch] || player.frozen[headYaw]);
+}
+
+TEST_F(SelfCollision, knowsLimbsByTheTreeOfLinksWhateverTheirNames) {
+  RobotModel renamed = model;
+  for (Link& link : renamed.links) link.name = "part";
+  constexpr double nearly = -1;  // [m]: also boxes that do not touch
+  const auto expected = limbCollisions(world, player.robot, model, nearly);
+  const auto found = limbCollisions(world, player.robot, renamed, nearly);
+  ASSERT_GT(expected.size(), 4u) << "among them each arm with the torso, which it hangs on";
+  ASSERT_EQ(found.size(), expected.size());
+  for (std::size_t i = 0; i < found.size(); ++i)
+    EXPECT_TRUE(found[i].a == expected[i].a && found[i].b == expected[i].b);
+  const auto arms = std::ranges::count_if(found, [](const LimbCollision& each) {
+    return each.a.none() && (each.b.test(lElbowRoll) || each.b.test(rElbowRoll));
+  });
+  EXPECT_GE(arms, 2);
 }
 
 TEST_F(SelfCollision, isNoFoulIfTheRuleIsOff) {

@@ -15,7 +15,7 @@ struct BallPositioningTest : testing::Test {
     p.toleranceForward = 0.03;
     p.toleranceSideways = 0.02;
     p.toleranceHeading = 0.15;
-    p.keeps = 1.5;
+    p.leaveTolerances = 1.5;
   }
   /// The robot is to have the ball at (0.2, 0) and looks where it is to look, off by `heading`.
   WalkCommand see(const Vec2& ball, double heading = 0) {

@@ -62,7 +62,7 @@ WalkToPoseParameters sprinter() {
           .headingGain = 2,
           .nearDistance = 0.5,
           .sprintBearing = 0.12,
-          .sprintAside = 0.3,
+          .sprintPassDistance = 0.3,
           .sprintDistance = 1.2,
           .sprintTurn = 0.1,
           .sprintGain = 2,

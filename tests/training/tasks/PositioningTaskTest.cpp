@@ -82,7 +82,7 @@ TEST(PositioningTask, theFileHasWhatWasSearchedAndIsReadAsAnOverlay) {
             std::string::npos)
       << file;
   EXPECT_NE(file.find("\n    maxTurn: 2.123\n"), std::string::npos) << file;
-  EXPECT_NE(file.find("\n  keeps: "), std::string::npos) << file;
+  EXPECT_NE(file.find("\n  leaveTolerances: "), std::string::npos) << file;
   Eigen::VectorXd rounded = parameters;
   rounded[indexOf(task, "walk_maxTurn")] = 2.123;
   EXPECT_EQ(task.run(parameters, 3).cost, task.run(rounded, 3).cost);

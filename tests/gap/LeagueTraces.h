@@ -6,8 +6,8 @@
 
 namespace plumbline::gap {
 
-/// Some recordings of the league's server, their first seconds.
-inline std::vector<simspark::LeagueTrace> someTraces() {
+/// The first seconds of six recordings of the league's server.
+inline std::vector<simspark::LeagueTrace> leagueTraces() {
   std::vector<simspark::LeagueTrace> traces;
   for (const char* name :
        {"crouch_t0", "crouch_t1", "ut_turn_t1", "ut_turn_t2", "ut_walk_t0", "ut_walk_t3"}) {
@@ -19,7 +19,7 @@ inline std::vector<simspark::LeagueTrace> someTraces() {
 
 /// Diagnoses them with windows of 5 rows, one in 16.
 inline SettingsDiagnosis diagnosisOfTraces(const SimulatorSetup& nominal) {
-  const TraceEvidence evidence(someTraces(), 5, 16);
+  const TraceEvidence evidence(leagueTraces(), 5, 16);
   SettingsOptions options;
   options.jobs = 2;
   return diagnoseSettings(evidence, nominal, options);
