@@ -380,7 +380,6 @@ void WalkEngine::setGaits(const WalkGaits& gaits) {
 
 void WalkEngine::reset() { engine_->reset(); }
 void WalkEngine::forget() { engine_->forget(); }
-
 WalkOutput WalkEngine::stand() const { return engine_->stand(); }
 
 const WalkState& WalkEngine::state() const { return engine_->state; }
