@@ -6,13 +6,14 @@ namespace plumbline {
 namespace {
 
 TEST(ExpectedWords, ofAStrikerAreDirections) {
-  StrikerExpected e;
+  Expected expected;
+  StrikerExpected& e = expected.emplace<StrikerExpected>();
   e.direction = {-0.5, 0.35};
-  EXPECT_EQ(expectedWords(e, 0), "kicks or dribbles between 29 degrees right and 20 degrees left");
+  EXPECT_EQ(expectedWords(expected, 0), "kicks or dribbles between 29 degrees right and 20 degrees left");
   e.action = StrikerExpected::Action::kick;
   e.direction = {0, 0.35};
   e.reach = Vec2(0, 4);
-  EXPECT_EQ(expectedWords(e, 0), "kicks between straight ahead and 20 degrees left, 0 to 4 m far");
+  EXPECT_EQ(expectedWords(expected, 0), "kicks between straight ahead and 20 degrees left, 0 to 4 m far");
 }
 
 TEST(ExpectedWords, ofOthersArePlacesAndNumbers) {
