@@ -28,10 +28,9 @@ Situation strikersSituation() {
   s.others[2].position = {4, -2};
   s.others[2].number = 5;
   s.kicks = {{.distance = 3}};
-  StrikerExpected expected;
+  auto& expected = s.expected.emplace<StrikerExpected>();
   expected.action = StrikerExpected::Action::kick;
   expected.direction = {0.2, 0.8};
-  s.expected = expected;
   return s;
 }
 
