@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # What a kick does in games: the whole agent goes to the ball from random places, 1.5 m away and with any heading, and
 # plays this kick. Prints distance and direction (medians), and scatter and spread (half of the range between the 16th and
-# 84th percentile). The direction is the one with which the ball goes where the agent aims. It is the file's and how far the
-# ball went to the left of the goal, since the robot's heading is a little off, too, when it kicks. Also the contact's time
+# 84th percentile). The direction is the one with which the ball goes where the agent aims. It is the file's
+# direction plus how far the ball went to the left of the goal: the robot's heading is a little off, too, when it kicks. Also the contact's time
 # from the file, the mean height of the ball, the mean distance, and how many go less than half as far as the median. With
 # --write they become the file's key `kick`.
 #   scripts/measure_kick.sh TYPE MOTION [--write]

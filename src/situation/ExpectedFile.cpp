@@ -13,10 +13,14 @@ namespace {
 const Range onField(-SituationLimits::farthest, SituationLimits::farthest),
     distances(0, SituationLimits::farthest), numbers(0, SituationLimits::mostPlayers);
 
+template <typename Choice, std::size_t n>
+Choice chosen(const ConfigSection& section, const char* key, const std::array<const char*, n>& names) {
+  return static_cast<Choice>(section.choice(key, {names.begin(), names.end()}));
+}
+
 StrikerExpected readStriker(const ConfigSection& section) {
   StrikerExpected expected;
-  expected.action =
-      static_cast<StrikerExpected::Action>(section.choice("action", {"any", "kick", "dribble"}));
+  expected.action = chosen<StrikerExpected::Action>(section, "action", StrikerExpected::actionNames);
   expected.direction = section.get<Vec2>("direction", Range(-2 * pi, 2 * pi));
   if (expected.direction[0] > expected.direction[1])
     section.fail("direction", fmt::format("must be [from, to] with the smaller one first, not [{:g}, {:g}]",
@@ -28,8 +32,7 @@ StrikerExpected readStriker(const ConfigSection& section) {
 FormationExpected readFormation(const ConfigSection& section) {
   FormationExpected expected;
   expected.striker = section.get<int>("striker", numbers);
-  expected.role =
-      static_cast<FormationExpected::Role>(section.choice("role", {"goalie", "striker", "supporter"}));
+  expected.role = chosen<FormationExpected::Role>(section, "role", FormationExpected::roleNames);
   expected.area = section.find<std::array<double, 4>>("area", onField);
   if (const auto& area = expected.area; area && ((*area)[0] > (*area)[1] || (*area)[2] > (*area)[3]))
     section.fail("area", "must be [x from, x to, y from, y to] with the smaller one of each first");
@@ -79,8 +82,8 @@ std::string skillWords(const std::string& skill) {
 struct Text {
   std::string operator()(const std::monostate&) const { return ""; }
   std::string operator()(const StrikerExpected& e) const {
-    const char* actions[] = {"any", "kick", "dribble"};
-    return fmt::format("{{action: {}, {}direction: [{}]}}", actions[static_cast<int>(e.action)],
+    return fmt::format("{{action: {}, {}direction: [{}]}}",
+                       StrikerExpected::actionNames.at(static_cast<std::size_t>(e.action)),
                        e.reach ? "reach: [" + rounded(*e.reach) + "], " : "", rounded(e.direction));
   }
   std::string operator()(const GoalieExpected& e) const {
@@ -88,8 +91,8 @@ struct Text {
                        e.fromTheWay ? ", fromTheWay: " + rounded(*e.fromTheWay) : "");
   }
   std::string operator()(const FormationExpected& e) const {
-    const char* roles[] = {"goalie", "striker", "supporter"};
-    return fmt::format("{{striker: {}, role: {}{}}}", e.striker, roles[static_cast<int>(e.role)],
+    return fmt::format("{{striker: {}, role: {}{}}}", e.striker,
+                       FormationExpected::roleNames.at(static_cast<std::size_t>(e.role)),
                        e.area ? ", area: [" + rounded(*e.area) + "]" : "");
   }
   std::string operator()(const SkillExpected& e) const {

@@ -24,6 +24,10 @@ enum class Decider { striker, goalie, formation, supporter, block, setPiece, pas
 /// The words for them in files, in that order.
 constexpr std::array<const char*, 7> deciderNames = {"striker", "goalie",   "formation", "supporter",
                                                      "block",   "setPiece", "passCall"};
+/// Whether the play mode matters to it.
+constexpr bool knowsMode(Decider decider) {
+  return decider == Decider::formation || decider == Decider::setPiece || decider == Decider::passCall;
+}
 
 /// What a player of the team has said of itself.
 struct SaidPlace {
@@ -35,6 +39,7 @@ struct SaidPlace {
 /// The striker plays the ball in a direction between two [rad], by a kick that carries so far [m].
 struct StrikerExpected {
   enum class Action { any, kick, dribble };
+  static constexpr std::array<const char*, 3> actionNames = {"any", "kick", "dribble"};  ///< in files
   Action action = Action::any;
   Vec2 direction = Vec2::Zero();
   std::optional<Vec2> reach{};
@@ -50,6 +55,7 @@ struct GoalieExpected {
 /// Who goes to the ball, and the role and the place of the player that is asked.
 struct FormationExpected {
   enum class Role { goalie, striker, supporter };
+  static constexpr std::array<const char*, 3> roleNames = {"goalie", "striker", "supporter"};  ///< in files
   int striker = 0;
   Role role = Role::supporter;
   std::optional<std::array<double, 4>> area{};  ///< x from, to, y from, to [m]
@@ -80,7 +86,7 @@ using Expected = std::variant<std::monostate, StrikerExpected, GoalieExpected, F
                               SkillExpected, BlockExpected, CallExpected>;
 
 /// Where everybody is, in the frame of the own team [m, rad, m/s], and the decision that people expect. A
-/// decider has only what its files may hold (doc/reference/situations.md).
+/// decider has only what its files may hold (doc/reference/situation-files.md).
 struct Situation {
   std::string about{};  ///< what is so, and why it is decided as expected
   Decider decides = Decider::striker;

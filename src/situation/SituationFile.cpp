@@ -140,10 +140,6 @@ void readOwn(const ConfigSection& root, Situation& situation) {
   }
 }
 
-bool knowsMode(Decider decider) {
-  return decider == Decider::formation || decider == Decider::setPiece || decider == Decider::passCall;
-}
-
 }  // namespace
 
 Situation readSituation(const std::string& path) {

@@ -5,8 +5,8 @@
 
 namespace plumbline {
 
-/// A situation in YAML (doc/reference/situations.md). Throws ConfigurationError, one line with file, line and
-/// key, for what is missing, cannot be or is no key of this decider; then with the nearest name.
+/// A situation in YAML (doc/reference/situation-files.md). Throws ConfigurationError, one line with file,
+/// line and key, for what is missing, cannot be or is no key of this decider; then with the nearest name.
 Situation readSituation(const std::string& path);
 
 /// The same as text; what it holds reads back as the same situation, numbers with two decimals.

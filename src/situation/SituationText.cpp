@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "framework/YamlText.h"
 #include "math/Angle.h"
 #include "representations/infrastructure/PlayModeNames.h"
 #include "situation/ExpectedFile.h"
@@ -8,16 +9,6 @@
 
 namespace plumbline {
 namespace {
-
-/// In double quotes, as YAML reads them back.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return result + '"';
-}
 
 std::string pose(const Pose2& at) { return "[" + rounded(at.position) + ", " + rounded(at.heading) + "]"; }
 
@@ -66,11 +57,10 @@ std::string teamsText(const Situation& situation) {
 }  // namespace
 
 std::string situationText(const Situation& s) {
-  std::string text = fmt::format("about: {}\ndecides: {}\n", quoted(s.about),
+  std::string text = fmt::format("about: {}\ndecides: {}\n", yamlText(s.about),
                                  deciderNames.at(static_cast<std::size_t>(s.decides)));
   const Decider decides = s.decides;
-  if (decides == Decider::formation || decides == Decider::setPiece || decides == Decider::passCall)
-    text += fmt::format("mode: {}\n", playModeName(s.mode));
+  if (knowsMode(decides)) text += fmt::format("mode: {}\n", playModeName(s.mode));
   if (decides == Decider::formation) text += teamsText(s);
   if (decides != Decider::formation && decides != Decider::block) {
     if (s.player > 0) text += fmt::format("player: {}\n", s.player);

@@ -8,7 +8,7 @@
 namespace plumbline::training {
 
 /// Options of a search task as a configuration or a server names them. A task declares its own as a struct of
-/// PARAMETERS; an option of a group has no other name before it.
+/// PARAMETERS of the types double, int and text; an option of a group has no other name before it.
 class TaskOptions {
 public:
   TaskOptions() = default;

@@ -6,6 +6,8 @@
 #include <fstream>
 #include <string>
 
+#include "support/FarOff.h"
+
 namespace plumbline::test {
 
 /// A program `dot` that comes before Graphviz's: a shell script in a folder of its own.
@@ -27,10 +29,10 @@ public:
   OtherDot(const OtherDot&) = delete;
   OtherDot& operator=(const OtherDot&) = delete;
 
-  /// Its number once it runs, at most ten seconds later; 0: it does not.
+  /// Its number once it runs; 0: it never does.
   pid_t waitUntilItRuns() const {
     pid_t pid = 0;
-    for (int i = 0; i < 2000 && pid == 0; ++i, usleep(5000)) std::ifstream(folder_ + "/pid") >> pid;
+    comesTrue([&] { return bool(std::ifstream(folder_ + "/pid") >> pid); });
     return pid;
   }
 

@@ -2,22 +2,20 @@
 
 #include <nlohmann/json.hpp>
 
+#include "gap/diagnosis/FormJson.h"
+
 namespace plumbline::gap {
 
 namespace {
 
 using nlohmann::json;
 
-json jsonOf(const Cause& cause) {
-  return {cause.effect->id, cause.place.at, std::string(cause.place.axis ? 1 : 0, cause.place.axis),
-          cause.value,      cause.variant,  cause.inactiveIn};
-}
+json jsonOf(const Cause& cause) { return {jsonOfForm(cause), cause.value}; }
 
 Cause causeOf(const json& j, const Mechanism& mechanism) {
-  const Effect* effect = findEffect(j.at(0).get<std::string>());
-  if (!effect) throw std::invalid_argument("an effect that the library lacks");
-  return {effect, findPlace(*effect, mechanism, j.at(1).get<std::string>(), j.at(2).get<std::string>()),
-          j.at(3).get<double>(), j.at(4).get<int>(), j.at(5).get<std::vector<std::string>>()};
+  Cause cause = formOf(j.at(0), mechanism);
+  cause.value = j.at(1).get<double>();
+  return cause;
 }
 
 std::vector<std::vector<std::uint8_t>> cyclesOf(const json& j) {

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
-#include "gap/effects/Effects.h"
+#include "gap/diagnosis/FormJson.h"
 
 namespace plumbline::gap {
 
@@ -49,16 +49,7 @@ class FormTable {
 public:
   FormTable() = default;
   FormTable(const json& forms, const Mechanism& robot) {
-    for (const json& form : forms) {
-      const Effect* effect = findEffect(form.at(0).get<std::string>());
-      if (!effect) throw std::invalid_argument("an effect that the library lacks");
-      const std::size_t variant = countOf(form.at(3));
-      if (variant >= static_cast<std::size_t>(effect->numVariants()))
-        throw std::invalid_argument("a variant that the effect lacks");
-      forms_.push_back(
-          {effect, findPlace(*effect, robot, form.at(1).get<std::string>(), form.at(2).get<std::string>()), 0,
-           static_cast<int>(variant), form.at(4).get<std::vector<std::string>>()});
-    }
+    for (const json& form : forms) forms_.push_back(formOf(form, robot));
   }
 
   json jsonOfCauses(const Explanation& causes) {
@@ -99,10 +90,7 @@ public:
 
   json jsonOfForms() const {
     json forms = json::array();
-    for (const Cause& cause : forms_)
-      forms.push_back({cause.effect->id, cause.place.at,
-                       std::string(cause.place.axis ? 1 : 0, cause.place.axis), cause.variant,
-                       cause.inactiveIn});
+    for (const Cause& cause : forms_) forms.push_back(jsonOfForm(cause));
     return forms;
   }
 

@@ -1,5 +1,7 @@
 #include "simulation/referee/LimbCollision.h"
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace plumbline::simulation {
@@ -62,6 +64,7 @@ int limbRoot(const RobotModel& model, int link) {
   return link;
 }
 
+/// All joints of a link's limb.
 Limb limbOf(const RobotModel& model, int link) {
   Limb limb;
   const int root = limbRoot(model, link);
@@ -75,8 +78,10 @@ Limb limbOf(const RobotModel& model, int link) {
 /// the one that it hangs on.
 bool exempt(const RobotModel& model, int a, int b) {
   if (hangsOn(model, b) != a) return false;
-  const Limb limb = limbOf(model, b);
-  return !limb.test(lShoulderPitch) && !limb.test(rShoulderPitch);
+  const int root = limbRoot(model, b);
+  return std::ranges::none_of(std::array{lShoulderPitch, rShoulderPitch}, [&](JointId shoulder) {
+    return model.has(shoulder) && limbRoot(model, model.linkOfJoint[shoulder]) == root;
+  });
 }
 
 }  // namespace

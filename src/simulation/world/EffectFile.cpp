@@ -10,6 +10,7 @@
 #include "framework/Json.h"
 #include "framework/ReadFile.h"
 #include "framework/SingleLine.h"
+#include "framework/YamlText.h"
 
 namespace plumbline::simulation {
 
@@ -21,16 +22,6 @@ void EffectSetting::fail(std::string_view key, const std::string& message) const
 }
 
 namespace {
-
-/// A text in double quotes as YAML reads it.
-std::string quoted(const std::string& text) {
-  std::string result = "\"";
-  for (const char c : text) {
-    if (c == '"' || c == '\\') result += '\\';
-    result += static_cast<unsigned char>(c) < ' ' ? ' ' : c;
-  }
-  return result + '"';
-}
 
 constexpr std::size_t mostEffects = 1000;
 
@@ -119,10 +110,10 @@ std::string effectsText(const std::vector<EffectSetting>& effects, const std::st
   for (const EffectSetting& effect : effects) {
     char value[32];
     std::snprintf(value, sizeof value, "%.10g", effect.value);
-    text += "  - {effect: " + quoted(effect.effect) + ", at: " + quoted(effect.at);
-    if (!effect.axis.empty()) text += ", axis: " + quoted(effect.axis);
+    text += "  - {effect: " + yamlText(effect.effect) + ", at: " + yamlText(effect.at);
+    if (!effect.axis.empty()) text += ", axis: " + yamlText(effect.axis);
     text += std::string(", value: ") + value;
-    if (!effect.variant.empty()) text += ", variant: " + quoted(effect.variant);
+    if (!effect.variant.empty()) text += ", variant: " + yamlText(effect.variant);
     text += "}\n";
   }
   return text;

@@ -82,7 +82,7 @@ std::function<bool(const std::string&)> searchedPart(const std::string& part) {
 }  // namespace
 
 PositioningTask::PositioningTask(const PositioningOptions& options)
-    : type_(options.world.type),
+    : type_(options.world.robot.type),
       worlds_(options.world),
       ball_(worlds_.engine()),
       start_(options.start),

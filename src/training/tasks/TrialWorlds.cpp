@@ -28,9 +28,9 @@ int checkedType(int type) {
   return type;
 }
 
-TrialWorlds::TrialWorlds(const WorldOptions& options) : engine_(options.engine) {
-  const int draws = options.draws, first = options.firstDraw, type = checkedType(options.type);
-  const std::string& file = options.effects;
+TrialWorlds::TrialWorlds(const WorldOptions& options) : engine_(options.robot.engine) {
+  const int draws = options.draws, first = options.firstDraw, type = checkedType(options.robot.type);
+  const std::string& file = options.robot.effects;
   if (draws > 0 && file.empty())
     throw ConfigurationError("option draws: of what? give the file of effects too (option effects)");
   simulation::WorldConfig world;

@@ -8,7 +8,6 @@
 #include "framework/ConfigurationError.h"
 #include "framework/StopSignal.h"
 #include "training/WalkingRobot.h"
-#include "training/tasks/TrialWorlds.h"
 
 namespace plumbline::training {
 namespace {
@@ -34,7 +33,7 @@ std::string nameOf(const walking::Variable& variable) {
 
 WalkTask::WalkTask(const WalkOptions& options)
     : task_(directionOf(options.direction)), variables_(walking::variablesOf(task_)) {
-  const int type = checkedType(options.type);
+  const int type = checkedType(options.robot.type);
   trial_.tries = 1;
   trial_.seconds = options.seconds;
   trial_.push = options.push;
@@ -47,8 +46,8 @@ WalkTask::WalkTask(const WalkOptions& options)
          std::max(start + 0.1 * step, variable.parameter->declared->range.max), firstSigma * step});
   }
   simulation::WorldConfig world;
-  world.engine = options.engine;
-  if (!options.effects.empty()) world.effects = simulation::readEffects(options.effects);
+  world.engine = options.robot.engine;
+  if (!options.robot.effects.empty()) world.effects = simulation::readEffects(options.robot.effects);
   try {
     robot_ = std::make_unique<walking::WalkingRobot>(type, first_, world);
   } catch (const std::invalid_argument& error) {  // an engine that there is not

@@ -4,23 +4,20 @@
 #include <string>
 #include <vector>
 
-#include "simspark/LeagueRobots.h"
 #include "training/SearchTask.h"
 #include "training/WalkTraining.h"
+#include "training/tasks/TrialWorlds.h"
 
 namespace plumbline::training {
 
 /// Options of the task walk.
 struct WalkOptions {
   PARAMETERS(WalkOptions)
-  PARAMETER(int, type, 0, "", Range(0, maxSimsparkTypes - 1), "the league's type of robot")
   PARAMETER(std::string, direction, std::string(walking::taskNames[0]), "", Range(),
             "forward, backward, sideways, turn, mixture (any requests) or push")
   PARAMETER(double, seconds, walking::TrialSetup().seconds, "s", Range(2, 600), "length of a try")
   PARAMETER(double, push, walking::TrialSetup().push, "m/s", Range(0, 3), "largest speed of a push")
-  PARAMETER(std::string, engine, "ode", "", Range(), "physics engine")
-  PARAMETER(std::string, effects, "", "", Range(),
-            "file of effects that the world has (doc/reference/effects-file.md)")
+  PARAMETER_GROUP(RobotOptions, robot, "robot and what its world is")
 };
 
 /// The walk of a robot type in one direction at full speed, any mixture of requests, or under pushes: what

@@ -6,7 +6,6 @@
 #include <set>
 
 #include "framework/NearestName.h"
-#include "representations/infrastructure/PlayModeNames.h"
 
 namespace plumbline {
 namespace {
@@ -105,15 +104,14 @@ SetPieces::SetPieces(const Config& config) {
     for (const PlayMode mode : piece.modes)
       if (const SetPiece* other = of(mode))
         file.fail("modes", "has a mode that " + other->name + ".yaml has already");
-    for (const PlayMode mode : piece.modes)
-      ofMode_[static_cast<std::size_t>(mode)] = static_cast<int>(pieces_.size());
+    for (const PlayMode mode : piece.modes) ofMode_[static_cast<std::size_t>(mode)] = pieces_.size();
     pieces_.push_back(std::move(piece));
   }
 }
 
 const SetPiece* SetPieces::of(PlayMode mode) const {
-  const int piece = ofMode_[static_cast<std::size_t>(mode)];
-  return piece < 0 ? nullptr : &pieces_[static_cast<std::size_t>(piece)];
+  const std::optional<std::size_t> piece = ofMode_[static_cast<std::size_t>(mode)];
+  return piece ? &pieces_[*piece] : nullptr;
 }
 
 }  // namespace plumbline

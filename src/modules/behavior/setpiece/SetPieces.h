@@ -6,7 +6,7 @@
 
 #include "framework/Config.h"
 #include "math/Types.h"
-#include "representations/infrastructure/GameState.h"
+#include "representations/infrastructure/PlayModeNames.h"
 
 namespace plumbline {
 
@@ -63,14 +63,8 @@ public:
   const std::vector<SetPiece>& all() const { return pieces_; }
 
 private:
-  static constexpr std::size_t numModes = static_cast<std::size_t>(PlayMode::unknown) + 1;
-
   std::vector<SetPiece> pieces_;
-  std::array<int, numModes> ofMode_ = [] {  ///< index of its piece, -1: none
-    std::array<int, numModes> none{};
-    none.fill(-1);
-    return none;
-  }();
+  std::array<std::optional<std::size_t>, playModeNames.size()> ofMode_{};  ///< index of its piece
 };
 
 /// One file's content. Throws ConfigurationError.
