@@ -34,6 +34,7 @@
 namespace {
 
 using namespace plumbline;
+using namespace plumbline::training;
 using namespace plumbline::walking;
 
 struct Options {
@@ -168,14 +169,14 @@ WalkGaits firstWalk(const Options& options) {
   WalkGaits gaits = readWalkGaits(file.root());
   file.checkUnknown();
   if (options.anew) gaits = WalkGaits(gaits.base);
-  if (options.cornersOf >= 0) gaits = withCornersOf(gaits, readWalkGaits(options.cornersOf));
+  if (options.cornersOf >= 0) gaits = withCornersOf(gaits, readLeagueGaits(options.cornersOf));
   return gaits;
 }
 
 /// A robot with position servos and the league's types have engines of their own.
 void checkEngine(const Options& options) {
   if (options.engine.empty()) return;
-  if (!options.robot.empty()) return simulation::RobotSimulations::require(options.engine);
+  if (!options.robot.empty()) return servo::RobotSimulations::require(options.engine);
   const std::vector<std::string>& known = simulation::physicsEngines();
   if (std::ranges::count(known, options.engine) > 0) return;
   const std::string nearest = suggestion(options.engine, known);
@@ -206,7 +207,7 @@ void makeRobots(Options& options, const StopSignal& stop) {
   } else {
     const Mechanism mechanism = findMechanism(options.robot);
     const gap::Explanation causes = gap::causesOf(effects, mechanism);
-    const std::string engine = options.engine.empty() ? simulation::RobotSimulations::usual : options.engine;
+    const std::string engine = options.engine.empty() ? servo::RobotSimulations::usual : options.engine;
     setup.walker = [engine, mechanism, causes, interrupt](const WalkGaits& walk) {
       // Without effects, too: ground and drives are those of the diagnosis, so that effects alone differ.
       std::unique_ptr<ServoWalker> robot = gap::walkerWith(engine, mechanism, walk, causes);
@@ -326,8 +327,7 @@ int runProgram(int argc, char** argv) {
   app.option("--engine", options.engine,
              fmt::format("what simulates the robot: {} [{}]; with --robot: {} [{}]",
                          fmt::join(simulation::physicsEngines(), ", "), simulation::WorldConfig().engine,
-                         fmt::join(simulation::RobotSimulations::names(), ", "),
-                         simulation::RobotSimulations::usual));
+                         fmt::join(servo::RobotSimulations::names(), ", "), servo::RobotSimulations::usual));
   app.option("--effects", options.effects,
              "the simulated robot has these: an answer of bin/gap diagnose --json, or a file of bin/gap "
              "apply")

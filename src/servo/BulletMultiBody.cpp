@@ -3,9 +3,9 @@
 #include "math/Index.h"
 #include "simulation/physics/bullet/PrincipalAxes.h"
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 
-using namespace bullet;
+using namespace simulation::bullet;
 
 namespace {
 
@@ -100,7 +100,7 @@ void BulletMultiBody::refresh() {
   states_.resize(at(links + 1));
   comStates_.resize(at(links + 1));
   for (int i = 0; i <= links; ++i) {
-    BodyState &com = comStates_[at(i)], &frame = states_[at(i)];
+    simulation::BodyState &com = comStates_[at(i)], &frame = states_[at(i)];
     com.pose =
         toPose3(i == 0 ? body_->getBaseWorldTransform() : body_->getLink(i - 1).m_cachedWorldTransform);
     com.angularVelocity = com.pose.linear() * toVec3(localVelocities_[i]);
@@ -112,4 +112,4 @@ void BulletMultiBody::refresh() {
   }
 }
 
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

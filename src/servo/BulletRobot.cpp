@@ -7,7 +7,7 @@
 
 #include "math/Index.h"
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 
 namespace {
 
@@ -358,4 +358,4 @@ ServoDrive::Side BulletRobot::linkSide(int joint) const {
   return {body_->position(joint), body_->velocity(joint)};
 }
 
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

@@ -9,7 +9,7 @@
 #include "servo/ServoDrive.h"
 #include "simulation/physics/tree/BoundedSystem.h"
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 
 /// The engine "bullet" for robots with position servos: Bullet's multi-body dynamics under the servo law of
 /// its Mechanism (stiffness, torque limit, fading near the top speed, rotor's inertia, DC motors, joints
@@ -34,7 +34,7 @@ public:
   const ServoReadings& readings() const override { return readings_; }
   double encoder(int joint) const override;
   double encoderSpeed(int joint) const override;
-  const BodyState& link(int index) const final { return body_->link(index); }
+  const simulation::BodyState& link(int index) const final { return body_->link(index); }
   const Mechanism& mechanism() const override { return mechanism_; }
 
 private:
@@ -83,7 +83,7 @@ private:
   std::vector<double> loads_, frictions_;  ///< extra torques on links; of dry friction, last step [N m]
   std::vector<Point> points_;
   std::vector<Row> rows_;
-  BoundedSystem system_;
+  simulation::BoundedSystem system_;
   Eigen::VectorXd impulses_;
   ServoReadings readings_;
   std::vector<double> torqueSum_;
@@ -93,4 +93,4 @@ private:
   long pushSteps_ = 0, cycles_ = 0;
 };
 
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

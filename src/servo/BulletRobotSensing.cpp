@@ -3,7 +3,7 @@
 #include "servo/BulletRobot.h"
 #include "servo/FootSensors.h"
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 
 double BulletRobot::encoder(int joint) const {
   return drives_.at(at(joint)).measured(motorSide(joint), linkSide(joint));
@@ -14,7 +14,7 @@ double BulletRobot::encoderSpeed(int joint) const {
 }
 
 void BulletRobot::senseImu() {
-  const BodyState& carrier = link(mechanism_.imu.link);
+  const simulation::BodyState& carrier = link(mechanism_.imu.link);
   imuVelocity_ = carrier.linearVelocity +
                  carrier.angularVelocity.cross(carrier.pose.linear() * mechanism_.imu.accelerometer);
   readings_.gyro =
@@ -51,4 +51,4 @@ std::vector<double> BulletRobot::footForces(int index) const {
   return footSensorForces(foot, whole, centre);
 }
 
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

@@ -3,7 +3,7 @@
 #include <Eigen/LU>
 #include <algorithm>
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 
 std::vector<double> footSensorForces(const Mechanism::Foot& foot, double normal, const Vec2& centre) {
   std::vector<double> shares(foot.sensors.size(), 0);
@@ -24,4 +24,4 @@ std::vector<double> footSensorForces(const Mechanism::Foot& foot, double normal,
   return shares;
 }
 
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

@@ -6,7 +6,7 @@
 
 #include "framework/NearestName.h"
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 namespace {
 
 std::map<std::string, RobotSimulations::Maker>& simulationMakers() {
@@ -24,7 +24,7 @@ Vec3 RobotSimulation::comVelocity() const {
   double mass = 0;
   const std::vector<Mechanism::Link>& links = mechanism().links;
   for (std::size_t i = 0; i < links.size(); ++i) {
-    const BodyState& state = link(static_cast<int>(i));
+    const simulation::BodyState& state = link(static_cast<int>(i));
     momentum += links[i].mass *
                 (state.linearVelocity + state.angularVelocity.cross(state.pose.linear() * links[i].com));
     mass += links[i].mass;
@@ -64,4 +64,4 @@ std::unique_ptr<RobotSimulation> RobotSimulations::make(const std::string& engin
   return simulationMakers().at(engine)(mechanism, options);
 }
 
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

@@ -9,7 +9,7 @@
 #include "robot/Mechanism.h"
 #include "simulation/physics/BodyState.h"
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 
 struct RobotSimulationOptions {
   bool fixedBase = false;      ///< hung up or on a bench: the base stays where it is put
@@ -69,12 +69,12 @@ public:
   virtual double encoder(int joint) const = 0;
   virtual double encoderSpeed(int joint) const = 0;
   /// Of a link's frame [m, m/s], world.
-  virtual const BodyState& link(int index) const = 0;
+  virtual const simulation::BodyState& link(int index) const = 0;
   virtual const Mechanism& mechanism() const = 0;
 
   /// Number of the joint of that name; throws std::invalid_argument with the nearest name there is.
   int joint(std::string_view name) const { return mechanism().requireJoint(name); }
-  const BodyState& base() const { return link(0); }
+  const simulation::BodyState& base() const { return link(0); }
   double time() const { return readings().time; }
   /// Velocity of the centre of mass of all links, world [m/s].
   Vec3 comVelocity() const;
@@ -100,15 +100,13 @@ public:
                                                const RobotSimulationOptions& options = {});
 };
 
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo
 
 /// In a .cpp: robots with position servos are simulated by this class under the name `engine`.
-#define MAKE_ROBOT_SIMULATION(engine, Class)                                 \
-  [[maybe_unused]] static const bool plumblineSimulation##Class =            \
-      ::plumbline::simulation::RobotSimulations::add(                        \
-          engine,                                                            \
-          [](const ::plumbline::Mechanism& mechanism,                        \
-             const ::plumbline::simulation::RobotSimulationOptions& options) \
-              -> std::unique_ptr<::plumbline::simulation::RobotSimulation> { \
-            return std::make_unique<Class>(mechanism, options);              \
-          });
+#define MAKE_ROBOT_SIMULATION(engine, Class)                                                                 \
+  [[maybe_unused]] static const bool plumblineSimulation##Class = ::plumbline::servo::RobotSimulations::add( \
+      engine,                                                                                                \
+      [](const ::plumbline::Mechanism& mechanism, const ::plumbline::servo::RobotSimulationOptions& options) \
+          -> std::unique_ptr<::plumbline::servo::RobotSimulation> {                                          \
+        return std::make_unique<Class>(mechanism, options);                                                  \
+      });

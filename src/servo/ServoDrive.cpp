@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 
 namespace {
 
@@ -165,4 +165,4 @@ void ServoDrive::end(double speedAfter, double friction) {
 
 DryFriction ServoDrive::dryLimit() const { return dryFriction(plant_, speedBefore_, load_); }
 
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

@@ -1,7 +1,7 @@
 #pragma once
 #include "robot/DryFriction.h"
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 
 /// One joint's servo with its drive, as a linear law torque = offset - slope * v for the speed v at the end
 /// of a step, so that the step can be solved with it. It has no dynamics: the caller gives it the positions
@@ -64,4 +64,4 @@ private:
   Regime regime_ = Regime::linear;
 };
 
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

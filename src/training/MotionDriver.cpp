@@ -16,7 +16,7 @@
 #include "training/FeltFeet.h"
 #include "training/WalkingRobot.h"
 
-namespace plumbline::motion {
+namespace plumbline::training {
 namespace {
 
 // As FallDetector and Stillness see it.
@@ -31,12 +31,12 @@ std::vector<std::filesystem::path> motionDirectories(int type) {
   return paths;
 }
 
-StandUpParameters readStandUp(int type, const std::vector<KeyframeMotion>& motions) {
+motion::StandUpParameters readStandUp(int type, const std::vector<motion::KeyframeMotion>& motions) {
   const ConfigFile file("MotionSelector", MotionDriver::directories(type));
-  StandUpParameters parameters;
+  motion::StandUpParameters parameters;
   std::optional<ConfigSection> section;
   if (file.root().has("standUp")) section = file.root().section("standUp");
-  if (section) readParameters(*section, StandUpParameters::parameterList(), &parameters);
+  if (section) readParameters(*section, motion::StandUpParameters::parameterList(), &parameters);
   file.checkUnknown();
   if (const auto missing = missingStandUp(parameters, motions)) {
     if (section && section->has(missing->parameter)) section->fail(missing->parameter, missing->problem);
@@ -49,10 +49,10 @@ StandUpParameters readStandUp(int type, const std::vector<KeyframeMotion>& motio
 
 MotionDriver::MotionDriver(int type)
     : model(simsparkRobot(type)),
-      gaits(walking::readWalkGaits(type)),
+      gaits(readLeagueGaits(type)),
       walk(gaits, model),
       stand(walk.stand().angles),
-      motions(readMotions(motionDirectories(type), model)),
+      motions(motion::readMotions(motionDirectories(type), model)),
       standUp(readStandUp(type, motions)) {
   standUpChoice.learn(standUp, motions);
 }
@@ -67,8 +67,8 @@ void MotionDriver::seedStart(std::uint64_t run, int draw) {
 
 void MotionDriver::seedRun(std::uint64_t run) { seed(static_cast<unsigned>(run * 2246822519U + 1)); }
 
-const KeyframeMotion& MotionDriver::motion(const std::string& name) const {
-  if (const KeyframeMotion* found = findMotion(motions, name)) return *found;
+const motion::KeyframeMotion& MotionDriver::motion(const std::string& name) const {
+  if (const motion::KeyframeMotion* found = findMotion(motions, name)) return *found;
   throw std::out_of_range("no motion " + name);
 }
 
@@ -80,7 +80,7 @@ void MotionDriver::step(const JointArray& targets) {
   stillCycles_ = readings().gyro.norm() < stillTurn ? stillCycles_ + 1 : 0;
 }
 
-bool MotionDriver::play(const KeyframeMotion& motion, bool stopAtFall) {
+bool MotionDriver::play(const motion::KeyframeMotion& motion, bool stopAtFall) {
   player.start(motion, readings().angle);
   while (!player.finished()) {
     player.step(dt, still());
@@ -127,12 +127,12 @@ walking::WalkOutput MotionDriver::walkOutput(const Vec2& velocity, double turn, 
   const Vec3 u = feltUp();
   sensors.torsoAngles = Vec2(std::atan2(u.y(), u.z()), std::atan2(-u.x(), u.z()));
   sensors.gyro = readings().gyro;
-  sensors.feet = training::feltFeet(readings());
+  sensors.feet = feltFeet(readings());
   return walk.update({velocity, turn, go}, sensors);
 }
 
-const KeyframeMotion& MotionDriver::nextStandUp(bool again) {
-  return motion(standUpChoice.next(standUp, lyingOn(up()), again));
+const motion::KeyframeMotion& MotionDriver::nextStandUp(bool again) {
+  return motion(standUpChoice.next(standUp, motion::lyingOn(up()), again));
 }
 
 void MotionDriver::forget() {
@@ -152,4 +152,4 @@ JointArray MotionDriver::jitter(double size) {
   return angles;
 }
 
-}  // namespace plumbline::motion
+}  // namespace plumbline::training

@@ -10,7 +10,7 @@
 #include "simulation/world/World.h"
 #include "walking/engine/WalkEngine.h"
 
-namespace plumbline::motion {
+namespace plumbline::training {
 
 /// Moves a robot of a league type by the motions and the walk of config/, as the agent does, a cycle at a
 /// time. In which world the robot is, a derived class knows.
@@ -27,7 +27,7 @@ public:
   static std::vector<std::string> directories(int type);
 
   /// Throws std::out_of_range for a name that is not there.
-  const KeyframeMotion& motion(const std::string& name) const;
+  const motion::KeyframeMotion& motion(const std::string& name) const;
 
   /// Uniform in [low, high]; the same on every machine.
   double random(double low, double high) { return low + (high - low) * (generator_() / 4294967296.0); }
@@ -52,7 +52,7 @@ public:
   bool still() const { return stillCycles_ >= 3; }
 
   /// Plays the motion; false if the robot lay down meanwhile and stopAtFall is set.
-  bool play(const KeyframeMotion& motion, bool stopAtFall = false);
+  bool play(const motion::KeyframeMotion& motion, bool stopAtFall = false);
   /// Fades from the last motion into the stand and holds it for `seconds` [s]. How long until the torso was
   /// upright for good [s]; `seconds` if it was not.
   double standStill(double seconds);
@@ -65,16 +65,16 @@ public:
   walking::WalkOutput walkOutput(const Vec2& velocity, double turn, bool go = true);
   /// The motion that the agent's MotionSelector would choose for how the robot lies now; again: the last one
   /// did not keep it on its feet.
-  const KeyframeMotion& nextStandUp(bool again = false);
+  const motion::KeyframeMotion& nextStandUp(bool again = false);
 
   RobotModel model;
   walking::WalkGaits gaits;
   walking::WalkEngine walk;
   JointArray stand;
-  std::vector<KeyframeMotion> motions;
-  StandUpParameters standUp;    ///< as config/MotionSelector.yaml and the type's own file have them
-  StandUpChoice standUpChoice;  ///< of the motions in `standUp`
-  KeyframePlayer player;
+  std::vector<motion::KeyframeMotion> motions;
+  motion::StandUpParameters standUp;    ///< as config/MotionSelector.yaml and the type's own file have them
+  motion::StandUpChoice standUpChoice;  ///< of the motions in `standUp`
+  motion::KeyframePlayer player;
   double elapsed = 0;  ///< in motions since it was set to 0 [s]
 
 protected:
@@ -93,4 +93,4 @@ private:
   int tiltedCycles_ = 0, stillCycles_ = 0;
 };
 
-}  // namespace plumbline::motion
+}  // namespace plumbline::training

@@ -5,7 +5,7 @@
 #include "framework/StopSignal.h"
 #include "math/Angle.h"
 
-namespace plumbline::motion {
+namespace plumbline::training {
 namespace {
 
 // Of a robot that is pushed.
@@ -90,4 +90,4 @@ void MotionTrial::restarted() {
   forget();
 }
 
-}  // namespace plumbline::motion
+}  // namespace plumbline::training

@@ -3,7 +3,7 @@
 #include "simulation/league/LocalRobot.h"
 #include "training/MotionDriver.h"
 
-namespace plumbline::motion {
+namespace plumbline::training {
 
 /// A robot in its own world in this process, controlled as by the agent: targets through the joint control,
 /// one cycle of delay, angles rounded as by the server. For searches, tests and benchmarks of motions.
@@ -46,4 +46,4 @@ private:
   JointArray lastAngles_{};  ///< before the last cycle [rad]
 };
 
-}  // namespace plumbline::motion
+}  // namespace plumbline::training

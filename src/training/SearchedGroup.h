@@ -3,43 +3,41 @@
 
 #include <algorithm>
 #include <functional>
-#include <span>
 #include <string>
 #include <vector>
 
 #include "framework/ModuleParameters.h"
 #include "parameters/Parameter.h"
+#include "training/FirstSteps.h"
 #include "training/GroupedLines.h"
 #include "training/SearchTask.h"
 
 namespace plumbline::training {
 
-/// A number of a parameter group that a task searches, by its path, and the standard deviation of the first
-/// candidates, in the parameter's unit.
-struct SearchedPath {
-  const char* path;
-  double sigma;
-};
-
 /// A parameter group of which a task searches some numbers, begun with a map of a configuration file. A run
 /// has what the file would have: numbers of four digits. `among`: only those for which it holds are searched;
-/// the others keep their values, and are written with them.
+/// the others keep their values, and are written with them. Throws ConfigurationError for a step of no
+/// number.
 template <typename Group>
 class SearchedGroup {
 public:
-  SearchedGroup(const ConfigSection& section, std::span<const SearchedPath> numbers,
+  SearchedGroup(const ConfigSection& section, const std::vector<FirstStep>& steps,
                 const std::function<bool(const std::string& path)>& among = {}) {
     readParameters(section, Group::parameterList(), &first_);
-    Group::parameterList().visit(
-        &first_, [&](const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
-          const auto one = std::ranges::find(numbers, path, &SearchedPath::path);
-          if (one == numbers.end()) return;
-          written_.push_back(path);
-          if (among && !among(path)) return;
-          paths_.push_back(path);
-          parameters_.push_back({nameOf(path), *std::get<double*>(value), parameter.range.min,
-                                 parameter.range.max, one->sigma});
-        });
+    std::vector<std::string> known;
+    Group::parameterList().visit(&first_, [&](const std::string& path, const Parameter& parameter,
+                                              const ParameterPointer& value) {
+      const auto* const number = std::get_if<double*>(&value);
+      if (!number) return;
+      known.push_back(path);
+      const auto one = std::ranges::find(steps, path, &FirstStep::path);
+      if (one == steps.end()) return;
+      written_.push_back(path);
+      if (among && !among(path)) return;
+      paths_.push_back(path);
+      parameters_.push_back({nameOf(path), **number, parameter.range.min, parameter.range.max, one->size});
+    });
+    checkPaths(steps, known);
   }
 
   const std::vector<TaskParameter>& parameters() const { return parameters_; }

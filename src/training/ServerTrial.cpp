@@ -5,7 +5,7 @@
 
 #include "math/Angle.h"
 
-namespace plumbline::motion {
+namespace plumbline::training {
 namespace {
 
 constexpr int mostCycles = 200;  // until it lies
@@ -45,4 +45,4 @@ bool ServerTrial::overlaps() {
   return twin_.overlaps();
 }
 
-}  // namespace plumbline::motion
+}  // namespace plumbline::training

@@ -3,13 +3,13 @@
 #include "training/MotionDriver.h"
 #include "training/ServerRobot.h"
 
-namespace plumbline::motion {
+namespace plumbline::training {
 
 /// A robot of a SimSpark server, the league's or bin/simulator, that is moved by motions and walk. The walk
 /// feels the torso's lean by gyro and accelerometer, as a player does. Errors are ServerRobot's.
 class ServerTrial : public MotionDriver {
 public:
-  ServerTrial(int type, const training::ServerAddress& address)
+  ServerTrial(int type, const ServerAddress& address)
       : MotionDriver(type), robot(type, address), twin_(model) {}
 
   const simulation::RobotReadings& readings() const override { return robot.readings(); }
@@ -22,7 +22,7 @@ public:
   /// passed through each other meanwhile: the referee would have frozen them, as the draw put them anywhere.
   bool fall(int direction);
 
-  training::ServerRobot robot;
+  ServerRobot robot;
 
 private:
   void move(const JointArray& targets) override { robot.drive(targets); }
@@ -33,4 +33,4 @@ private:
   simulation::LocalRobot twin_;  ///< in the same pose
 };
 
-}  // namespace plumbline::motion
+}  // namespace plumbline::training

@@ -5,14 +5,14 @@
 #include "simspark/LeagueRobots.h"
 #include "training/FeltFeet.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 namespace {
 
-constexpr double cycleSeconds = training::ServerRobot::cycleSeconds;
+constexpr double cycleSeconds = ServerRobot::cycleSeconds;
 
 }  // namespace
 
-ServerWalker::ServerWalker(int type, const WalkGaits& gaits, const training::ServerAddress& address)
+ServerWalker::ServerWalker(int type, const walking::WalkGaits& gaits, const ServerAddress& address)
     : Walker(simsparkRobot(type), gaits, cycleSeconds), robot_(type, address) {
   restart();
 }
@@ -23,17 +23,17 @@ void ServerWalker::move(const Vec2&) {
 }
 Vec2 ServerWalker::comVelocity() { throw std::logic_error("a server does not send the true velocity"); }
 
-WalkSensors ServerWalker::sense() {
-  WalkSensors sensors;
+walking::WalkSensors ServerWalker::sense() {
+  walking::WalkSensors sensors;
   sensors.angles = robot_.readings().angle;
   sensors.gyro = robot_.readings().gyro;
-  sensors.feet = training::feltFeet(robot_.readings());
+  sensors.feet = feltFeet(robot_.readings());
   sensors.torsoAngles = Vec2(robot_.attitude().roll(), robot_.attitude().pitch());
   return sensors;
 }
 
-void ServerWalker::act(const WalkOutput& out, const WalkSensors&) {
+void ServerWalker::act(const walking::WalkOutput& out, const walking::WalkSensors&) {
   robot_.drive(lookingAround(out.angles, cycleSeconds * static_cast<double>(robot_.cycles())));
 }
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

@@ -2,13 +2,13 @@
 #include "training/ServerRobot.h"
 #include "training/Walker.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 
 /// A robot of a SimSpark server as a walker: it senses and acts like a player, and the trainer moves it to
 /// its places. Errors are ServerRobot's.
 class ServerWalker : public Walker {
 public:
-  ServerWalker(int type, const WalkGaits& gaits, const training::ServerAddress& address);
+  ServerWalker(int type, const walking::WalkGaits& gaits, const ServerAddress& address);
 
   /// No server pushes or carries robots: throws std::logic_error.
   void push(const Vec3& change) override;
@@ -21,10 +21,10 @@ public:
 private:
   void put(const Pose2& place, const JointArray& angles) override { robot_.put(place, angles); }
   void move(const Vec2& place) override;
-  WalkSensors sense() override;
-  void act(const WalkOutput& output, const WalkSensors& sensors) override;
+  walking::WalkSensors sense() override;
+  void act(const walking::WalkOutput& output, const walking::WalkSensors& sensors) override;
 
-  training::ServerRobot robot_;
+  ServerRobot robot_;
 };
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

@@ -9,21 +9,21 @@
 #include "training/Walker.h"
 #include "walking/engine/PositionServoAdapter.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 
 /// The walk of a robot with position servos: config/walking.yaml and what config/robots/<name>/walking.yaml
 /// has of its own.
-inline WalkGaits readServoGaits(const std::string& robot) {
+inline walking::WalkGaits readServoGaits(const std::string& robot) {
   const ConfigFile file("walking", {configFolder(), configPath("robots/" + robot)});
-  WalkGaits gaits = readWalkGaits(file.root());
+  walking::WalkGaits gaits = walking::readWalkGaits(file.root());
   file.checkUnknown();
   return gaits;
 }
 
 /// The sensor data of a simulated robot for the walk.
-inline ServoMeasurement measurementOf(const simulation::RobotSimulation& robot) {
-  const simulation::ServoReadings& readings = robot.readings();
-  ServoMeasurement measured;
+inline walking::ServoMeasurement measurementOf(const servo::RobotSimulation& robot) {
+  const servo::ServoReadings& readings = robot.readings();
+  walking::ServoMeasurement measured;
   measured.position.resize(readings.position.size());
   for (std::size_t j = 0; j < readings.position.size(); ++j)
     measured.position[j] = robot.encoder(static_cast<int>(j));
@@ -37,11 +37,10 @@ inline ServoMeasurement measurementOf(const simulation::RobotSimulation& robot) 
 class ServoWalker : public Walker {
 public:
   explicit ServoWalker(const std::string& robot) : ServoWalker(findMechanism(robot), readServoGaits(robot)) {}
-  ServoWalker(const Mechanism& robot, const WalkGaits& gaits)
-      : ServoWalker(robot, gaits,
-                    simulation::RobotSimulations::make(simulation::RobotSimulations::usual, robot)) {}
-  ServoWalker(const Mechanism& robot, const WalkGaits& gaits,
-              std::unique_ptr<simulation::RobotSimulation> plant)
+  ServoWalker(const Mechanism& robot, const walking::WalkGaits& gaits)
+      : ServoWalker(robot, gaits, servo::RobotSimulations::make(servo::RobotSimulations::usual, robot)) {}
+  ServoWalker(const Mechanism& robot, const walking::WalkGaits& gaits,
+              std::unique_ptr<servo::RobotSimulation> plant)
       : Walker(Humanoid(robot).model(), gaits, 1 / robot.controlHz),
         robot_(robot),
         mass_(robot.totalMass()),
@@ -55,11 +54,11 @@ public:
   Vec2 comVelocity() override {
     return Eigen::Rotation2Dd(-pose().heading) * Vec2(plant_->comVelocity().head<2>());
   }
-  simulation::RobotSimulation& plant() { return *plant_; }
+  servo::RobotSimulation& plant() { return *plant_; }
   /// Called each cycle with the robot's sensor data and commands, before it moves.
-  std::function<void(const ServoMeasurement&, const ServoCommand&)> observer;
+  std::function<void(const walking::ServoMeasurement&, const walking::ServoCommand&)> observer;
   /// The last commands.
-  const WalkSensors& sensors() const { return sensed_; }
+  const walking::WalkSensors& sensors() const { return sensed_; }
 
 private:
   void put(const Pose2& place, const JointArray& angles) override {
@@ -69,12 +68,12 @@ private:
     move(place.position);
   }
   void move(const Vec2& place) override { offset_ = place - plant_->base().pose.translation().head<2>(); }
-  WalkSensors sense() override {
+  walking::WalkSensors sense() override {
     measured_ = measurementOf(*plant_);
     return sensed_ = driver_.sense(measured_);
   }
-  void act(const WalkOutput& output, const WalkSensors& sensors) override {
-    ServoCommand command = driver_.command(output, engine.gait(), sensors);
+  void act(const walking::WalkOutput& output, const walking::WalkSensors& sensors) override {
+    walking::ServoCommand command = driver_.command(output, engine.gait(), sensors);
     // A simulation whose joints of one motor have a servo each needs the same command for them; others ignore
     // it.
     for (std::size_t j = 0; j < command.target.size(); ++j)
@@ -89,11 +88,11 @@ private:
 
   const Mechanism robot_;
   double mass_;
-  PositionServoAdapter driver_;
-  std::unique_ptr<simulation::RobotSimulation> plant_;
-  ServoMeasurement measured_;
-  WalkSensors sensed_;
+  walking::PositionServoAdapter driver_;
+  std::unique_ptr<servo::RobotSimulation> plant_;
+  walking::ServoMeasurement measured_;
+  walking::WalkSensors sensed_;
   Vec2 offset_ = Vec2::Zero();  ///< the ground has no end
 };
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

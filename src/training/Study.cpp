@@ -7,6 +7,7 @@
 
 #include "framework/CommandLine.h"
 #include "framework/ConfigFile.h"
+#include "framework/ConfigurationError.h"
 #include "framework/NearestName.h"
 
 namespace plumbline::training {

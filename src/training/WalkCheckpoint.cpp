@@ -13,7 +13,7 @@
 #include "framework/SteadyClock.h"
 #include "framework/WriteFile.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 namespace {
 
 using nlohmann::json;
@@ -59,32 +59,32 @@ std::string bytesOf(const std::string& text) {
 
 }  // namespace
 
-std::string exactText(const WalkGaits& gaits) {
+std::string exactText(const walking::WalkGaits& gaits) {
   std::string text;
-  const auto add = [&](const WalkParameters& p) {
-    for (const WalkParameter& one : walkParameters())
+  const auto add = [&](const walking::WalkParameters& p) {
+    for (const walking::WalkParameter& one : walking::walkParameters())
       text += hexOf(std::bit_cast<std::uint64_t>(one.of(p))) + " ";
     text += "\n";
   };
   add(gaits.base);
-  for (const WalkParameters& corner : gaits.corner) add(corner);
+  for (const walking::WalkParameters& corner : gaits.corner) add(corner);
   add(gaits.recovery);
   return text;
 }
 
-WalkGaits walkOfExactText(const std::string& text) {
+walking::WalkGaits walkOfExactText(const std::string& text) {
   std::istringstream in(text);
   in.exceptions(std::ios::badbit);  // a lack of memory is not the end of the text
   std::string word;
-  const auto read = [&](WalkParameters& p) {
-    for (const WalkParameter& one : walkParameters()) {
+  const auto read = [&](walking::WalkParameters& p) {
+    for (const walking::WalkParameter& one : walking::walkParameters()) {
       if (!(in >> word)) throw std::invalid_argument("the walk is cut short");
       one.of(p) = numberOfHex(word);
     }
   };
-  WalkGaits gaits;
+  walking::WalkGaits gaits;
   read(gaits.base);
-  for (WalkParameters& corner : gaits.corner) read(corner);
+  for (walking::WalkParameters& corner : gaits.corner) read(corner);
   read(gaits.recovery);
   if (in >> word) throw std::invalid_argument("the walk goes on");
   return gaits;
@@ -132,15 +132,15 @@ void WalkCheckpoint::write() {
   json state;
   state["mark"] = mark_;
   state["done"] = json::array();
-  for (const WalkGaits& walk : done_) state["done"].push_back(exactText(walk));
+  for (const walking::WalkGaits& walk : done_) state["done"].push_back(exactText(walk));
   state["search"] = hexOf(search_);
   writeFile(file_, state.dump(1) + "\n");
   written_ = steadySeconds();
 }
 
-WalkGaits WalkCheckpoint::stage(const std::function<WalkGaits()>& work) {
+walking::WalkGaits WalkCheckpoint::stage(const std::function<walking::WalkGaits()>& work) {
   if (next_ < done_.size()) return done_[next_++];
-  WalkGaits gaits = work();
+  walking::WalkGaits gaits = work();
   done_.push_back(gaits);
   ++next_;
   search_.clear();
@@ -156,4 +156,4 @@ void WalkCheckpoint::storeSearch(const std::string& state) {
 
 void WalkCheckpoint::forget() { std::remove(file_.c_str()); }
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

@@ -5,7 +5,7 @@
 
 #include "walking/parameters/WalkGaits.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 
 /// The state of a search for a walk, in a file, so that it can be stopped at any moment and continue to the
 /// same bytes. The search is a sequence of stages, each of which gives a walk. Finished stages are read back,
@@ -19,7 +19,7 @@ public:
   WalkCheckpoint(std::string file, std::string mark);
 
   /// What the next stage gave when it was done before, or what it gives now, which is then stored.
-  WalkGaits stage(const std::function<WalkGaits()>& work);
+  walking::WalkGaits stage(const std::function<walking::WalkGaits()>& work);
 
   /// The state of the optimiser within the running stage; empty: it begins anew. Storing it writes the file,
   /// at most about once a second.
@@ -36,7 +36,7 @@ private:
   void write();
 
   const std::string file_, mark_;
-  std::vector<WalkGaits> done_;
+  std::vector<walking::WalkGaits> done_;
   std::size_t next_ = 0;
   std::string search_;
   double written_ = 0;
@@ -45,7 +45,7 @@ private:
 
 /// All of a walk's numbers, bit for bit, and back; the second throws std::invalid_argument for what is no
 /// such text.
-std::string exactText(const WalkGaits& gaits);
-WalkGaits walkOfExactText(const std::string& text);
+std::string exactText(const walking::WalkGaits& gaits);
+walking::WalkGaits walkOfExactText(const std::string& text);
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

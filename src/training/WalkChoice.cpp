@@ -9,26 +9,26 @@
 
 #include "math/Random.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 namespace {
 
 constexpr std::array directions{Task::forward, Task::backward, Task::sideways, Task::turn};
 
 struct Direction {
-  double SpeedParameters::*most;
-  double SpeedParameters::*omni;
+  double walking::SpeedParameters::*most;
+  double walking::SpeedParameters::*omni;
 };
 
 Direction directionOf(Task task) {
   switch (task) {
     case Task::forward:
-      return {&SpeedParameters::maxForward, &SpeedParameters::omniForward};
+      return {&walking::SpeedParameters::maxForward, &walking::SpeedParameters::omniForward};
     case Task::backward:
-      return {&SpeedParameters::maxBackward, &SpeedParameters::omniBackward};
+      return {&walking::SpeedParameters::maxBackward, &walking::SpeedParameters::omniBackward};
     case Task::sideways:
-      return {&SpeedParameters::maxSideways, &SpeedParameters::omniSideways};
+      return {&walking::SpeedParameters::maxSideways, &walking::SpeedParameters::omniSideways};
     case Task::turn:
-      return {&SpeedParameters::maxTurn, &SpeedParameters::omniTurn};
+      return {&walking::SpeedParameters::maxTurn, &walking::SpeedParameters::omniTurn};
     case Task::mixture:
     case Task::push:
       break;
@@ -36,24 +36,24 @@ Direction directionOf(Task task) {
   throw std::invalid_argument("a mixture of directions has no sprint");
 }
 
-bool same(const WalkParameters& a, const WalkParameters& b) {
-  return std::ranges::all_of(walkParameters(),
-                             [&](const WalkParameter& one) { return one.of(a) == one.of(b); });
+bool same(const walking::WalkParameters& a, const walking::WalkParameters& b) {
+  return std::ranges::all_of(walking::walkParameters(),
+                             [&](const walking::WalkParameter& one) { return one.of(a) == one.of(b); });
 }
 
 }  // namespace
 
-WalkGaits cutSprint(const WalkGaits& gaits, Task direction, double share) {
+walking::WalkGaits cutSprint(const walking::WalkGaits& gaits, Task direction, double share) {
   const auto [most, omni] = directionOf(direction);
-  WalkGaits cut = gaits;
-  WalkParameters& corner = cut.corner[static_cast<std::size_t>(direction)];
+  walking::WalkGaits cut = gaits;
+  walking::WalkParameters& corner = cut.corner[static_cast<std::size_t>(direction)];
   const double mix = gaits.base.speed.*omni;
   // Without a speed of mixtures there is no sprint.
   if (!(mix > 0 && mix < gaits.base.speed.*most)) return cut;
   const double full = mix + share * (gaits.base.speed.*most - mix);
   cut.base.speed.*most = full;
-  for (WalkParameters& one : cut.corner) one.speed.*most = full;
-  for (const WalkParameter& one : walkParameters()) {
+  for (walking::WalkParameters& one : cut.corner) one.speed.*most = full;
+  for (const walking::WalkParameter& one : walking::walkParameters()) {
     if (!one.blends) continue;
     const double from = one.of(gaits.base);
     one.of(corner) = from + share * (one.of(corner) - from);
@@ -61,32 +61,34 @@ WalkGaits cutSprint(const WalkGaits& gaits, Task direction, double share) {
   return cut;
 }
 
-WalkGaits cutSprints(const WalkGaits& gaits, double share) {
-  WalkGaits cut = gaits;
+walking::WalkGaits cutSprints(const walking::WalkGaits& gaits, double share) {
+  walking::WalkGaits cut = gaits;
   for (const Task direction : directions) cut = cutSprint(cut, direction, share);
   return cut;
 }
 
-WalkGaits withSprint(const WalkGaits& gaits, const WalkGaits& other, Task direction) {
+walking::WalkGaits withSprint(const walking::WalkGaits& gaits, const walking::WalkGaits& other,
+                              Task direction) {
   const Direction d = directionOf(direction);
-  WalkGaits result = gaits;
+  walking::WalkGaits result = gaits;
   result.corner[static_cast<std::size_t>(direction)] = other.corner[static_cast<std::size_t>(direction)];
   result.base.speed.*d.most = other.base.speed.*d.most;
-  for (WalkParameters& corner : result.corner) corner.speed.*d.most = other.base.speed.*d.most;
+  for (walking::WalkParameters& corner : result.corner) corner.speed.*d.most = other.base.speed.*d.most;
   return result;
 }
 
-WalkGaits slowMixture(const WalkGaits& gaits, double share) {
-  WalkGaits slow = gaits;
+walking::WalkGaits slowMixture(const walking::WalkGaits& gaits, double share) {
+  walking::WalkGaits slow = gaits;
   for (const Task task : directions) {
     const Direction direction = directionOf(task);
     slow.base.speed.*direction.omni *= share;
-    for (WalkParameters& corner : slow.corner) corner.speed.*direction.omni = slow.base.speed.*direction.omni;
+    for (walking::WalkParameters& corner : slow.corner)
+      corner.speed.*direction.omni = slow.base.speed.*direction.omni;
   }
   return slow;
 }
 
-double randomFalls(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup, double enough) {
+double randomFalls(Walker& robot, const walking::WalkGaits& gaits, const ChoiceSetup& setup, double enough) {
   double falls = 0;
   for (int i = 0; i < setup.minutes; ++i) {
     TrialSetup trial;
@@ -122,7 +124,7 @@ double heldSpeed(Walker& robot, Task direction, const ChoiceSetup& setup) {
 
 }  // namespace
 
-bool sprintHolds(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
+bool sprintHolds(Walker& robot, const walking::WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
   // What fails most often comes first.
   for (int i = 0; i < setup.tries; ++i) {
     TrialSetup trial;
@@ -138,7 +140,7 @@ bool sprintHolds(Walker& robot, const WalkGaits& gaits, Task direction, const Ch
   return true;
 }
 
-double safeShare(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
+double safeShare(Walker& robot, const walking::WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
   const int steps = static_cast<int>(std::lround(1 / setup.sprintStep));
   for (int i = steps; i > 0; --i) {
     const double share = std::min(1.0, i * setup.sprintStep);
@@ -147,12 +149,12 @@ double safeShare(Walker& robot, const WalkGaits& gaits, Task direction, const Ch
   return 0;
 }
 
-WalkGaits chooseMixture(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
-                        const std::function<void(const std::string&)>& say) {
+walking::WalkGaits chooseMixture(Walker& robot, const walking::WalkGaits& gaits, const ChoiceSetup& setup,
+                                 const std::function<void(const std::string&)>& say) {
   const int last = static_cast<int>(std::lround(0.5 / setup.mixStep));
   double share = 1;
   for (int i = 0; i <= last; ++i, share -= setup.mixStep) {
-    WalkGaits slow = slowMixture(gaits, share);
+    walking::WalkGaits slow = slowMixture(gaits, share);
     const double falls = randomFalls(robot, cutSprints(slow, 0), setup, 0);
     say(fmt::format("mixture at {:.2f} of its speeds: {}", share, falls > 0 ? "falls" : "no fall"));
     if (falls == 0) return slow;
@@ -160,22 +162,24 @@ WalkGaits chooseMixture(Walker& robot, const WalkGaits& gaits, const ChoiceSetup
   return slowMixture(gaits, 0.5);
 }
 
-WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<WalkGaits>& others,
-                       Task direction, const ChoiceSetup& setup,
-                       const std::function<void(const std::string&)>& say) {
+walking::WalkGaits chooseSprint(Walker& robot, const walking::WalkGaits& gaits,
+                                const std::vector<walking::WalkGaits>& others, Task direction,
+                                const ChoiceSetup& setup,
+                                const std::function<void(const std::string&)>& say) {
   const Direction d = directionOf(direction);
   const auto corner = static_cast<std::size_t>(direction);
-  WalkGaits best = gaits;
+  walking::WalkGaits best = gaits;
   double fastest = 0;
   for (std::size_t i = 0; i < others.size(); ++i) {
-    const WalkGaits& other = others[i];
+    const walking::WalkGaits& other = others[i];
     // A search that found nothing better returns what there was.
-    if (std::any_of(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(i), [&](const WalkGaits& o) {
-          return o.base.speed.*d.most == other.base.speed.*d.most &&
-                 same(o.corner[corner], other.corner[corner]);
-        }))
+    if (std::any_of(others.begin(), others.begin() + static_cast<std::ptrdiff_t>(i),
+                    [&](const walking::WalkGaits& o) {
+                      return o.base.speed.*d.most == other.base.speed.*d.most &&
+                             same(o.corner[corner], other.corner[corner]);
+                    }))
       continue;
-    WalkGaits tried = withSprint(gaits, other, direction);
+    walking::WalkGaits tried = withSprint(gaits, other, direction);
     const double share = safeShare(robot, tried, direction, setup);
     tried = cutSprint(tried, direction, share);
     robot.use(tried);
@@ -189,9 +193,9 @@ WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<
   return best;
 }
 
-WalkGaits chooseTogether(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
-                         const std::function<void(const std::string&)>& say) {
-  WalkGaits cut = gaits;
+walking::WalkGaits chooseTogether(Walker& robot, const walking::WalkGaits& gaits, const ChoiceSetup& setup,
+                                  const std::function<void(const std::string&)>& say) {
+  walking::WalkGaits cut = gaits;
   const int steps = static_cast<int>(std::lround(1 / setup.sprintStep));
   double share = 1;
   for (int i = 1; i < steps; ++i, share -= setup.sprintStep) {
@@ -204,4 +208,4 @@ WalkGaits chooseTogether(Walker& robot, const WalkGaits& gaits, const ChoiceSetu
   return cutSprints(gaits, 0);
 }
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

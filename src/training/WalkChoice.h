@@ -5,7 +5,7 @@
 
 #include "training/WalkTrial.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 
 /// The rule by which a walk is chosen from what searches found: the fastest of it that goes through all this
 /// without a single fall.
@@ -25,37 +25,38 @@ struct ChoiceSetup {
 /// A sprint that ends earlier: the same way from the walk of mixtures towards the full speed of a direction,
 /// but only a share of it (0: no sprint, 1: all of it). Speeds on the way are walked as before. Throws
 /// std::invalid_argument for Task::mixture and Task::push.
-WalkGaits cutSprint(const WalkGaits& gaits, Task direction, double share);
+walking::WalkGaits cutSprint(const walking::WalkGaits& gaits, Task direction, double share);
 /// All of them.
-WalkGaits cutSprints(const WalkGaits& gaits, double share);
+walking::WalkGaits cutSprints(const walking::WalkGaits& gaits, double share);
 
 /// The walk with another one's sprint of a direction.
-WalkGaits withSprint(const WalkGaits& gaits, const WalkGaits& other, Task direction);
+walking::WalkGaits withSprint(const walking::WalkGaits& gaits, const walking::WalkGaits& other,
+                              Task direction);
 
 /// Speeds that may be mixed, all times this; full speeds as they are.
-WalkGaits slowMixture(const WalkGaits& gaits, double share);
+walking::WalkGaits slowMixture(const walking::WalkGaits& gaits, double share);
 
 /// Falls per minute under random requests, at most about `enough`: it stops counting there.
-double randomFalls(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup, double enough);
+double randomFalls(Walker& robot, const walking::WalkGaits& gaits, const ChoiceSetup& setup, double enough);
 
 /// Whether the sprint of a direction is held and can be interrupted without a fall.
-bool sprintHolds(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup);
+bool sprintHolds(Walker& robot, const walking::WalkGaits& gaits, Task direction, const ChoiceSetup& setup);
 
 /// The longest share of a sprint that holds; 0 if none does.
-double safeShare(Walker& robot, const WalkGaits& gaits, Task direction, const ChoiceSetup& setup);
+double safeShare(Walker& robot, const walking::WalkGaits& gaits, Task direction, const ChoiceSetup& setup);
 
 /// The mixture slowed down until random requests without sprints make no fall.
-WalkGaits chooseMixture(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
-                        const std::function<void(const std::string&)>& say);
+walking::WalkGaits chooseMixture(Walker& robot, const walking::WalkGaits& gaits, const ChoiceSetup& setup,
+                                 const std::function<void(const std::string&)>& say);
 
 /// The first walk with the fastest of several walks' sprints of a direction, each cut to its safe share;
 /// without if none is quicker than nothing.
-WalkGaits chooseSprint(Walker& robot, const WalkGaits& gaits, const std::vector<WalkGaits>& others,
-                       Task direction, const ChoiceSetup& setup,
-                       const std::function<void(const std::string&)>& say);
+walking::WalkGaits chooseSprint(Walker& robot, const walking::WalkGaits& gaits,
+                                const std::vector<walking::WalkGaits>& others, Task direction,
+                                const ChoiceSetup& setup, const std::function<void(const std::string&)>& say);
 
 /// All sprints cut by the same share until random requests make no more falls than is allowed.
-WalkGaits chooseTogether(Walker& robot, const WalkGaits& gaits, const ChoiceSetup& setup,
-                         const std::function<void(const std::string&)>& say);
+walking::WalkGaits chooseTogether(Walker& robot, const walking::WalkGaits& gaits, const ChoiceSetup& setup,
+                                  const std::function<void(const std::string&)>& say);
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

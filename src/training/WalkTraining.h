@@ -6,31 +6,31 @@
 
 #include "training/WalkTrial.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 
 /// One number of the walk that is searched: a parameter of the base (section ""), of a corner or of the
 /// recovery from pushes.
 struct Variable {
   std::string section;
-  const WalkParameter* parameter;
+  const walking::WalkParameter* parameter;
   double step;  ///< a sensible first change
 };
 
 /// Throws ConfigurationError naming the nearest one for a path that no parameter of the walk has.
 void checkWalkParameters(const std::vector<std::string>& paths);
 
-/// What is searched for a task: the corner of a direction with its speed and acceleration; for the mixture
-/// the accelerations, the feedback and the speeds; for pushes the recovery.
+/// What is searched for a task, as config/search_steps.yaml has it: the corner of a direction with its speed
+/// and acceleration; for the mixture the accelerations, the feedback and the speeds; for pushes the recovery.
 std::vector<Variable> variablesOf(Task task);
 
-double valueOf(const WalkGaits& gaits, const Variable& variable);
+double valueOf(const walking::WalkGaits& gaits, const Variable& variable);
 /// Sets it, within its range; directions that have the base's value follow it; durations of steps of the same
 /// section follow stepDuration.
-void setValue(WalkGaits& gaits, const Variable& variable, double value);
+void setValue(walking::WalkGaits& gaits, const Variable& variable, double value);
 
 struct TrainingSetup {
-  std::string robot = "type 0";                                     ///< its name in the output
-  std::function<std::unique_ptr<Walker>(const WalkGaits&)> walker;  ///< makes the robot
+  std::string robot = "type 0";                                              ///< its name in the output
+  std::function<std::unique_ptr<Walker>(const walking::WalkGaits&)> walker;  ///< makes the robot
   Task task = Task::forward;
   std::string optimizer = "cmaes";  ///< one of optimizerNames()
   int generations = 100, population = 16;
@@ -51,14 +51,15 @@ double cost(Task task, const TrialResult& result);
 /// Searches with an optimiser from the gaits given, every generation with tries of its own. Returns the
 /// middle of the last generation if it is better than the gaits given over many tries that neither was chosen
 /// by; else those. progress: a line to print and the best guess so far, every ten generations and at the end.
-WalkGaits train(const WalkGaits& gaits, const TrainingSetup& setup,
-                const std::function<void(const std::string&, const WalkGaits&)>& progress);
+walking::WalkGaits train(const walking::WalkGaits& gaits, const TrainingSetup& setup,
+                         const std::function<void(const std::string&, const walking::WalkGaits&)>& progress);
 
 /// The corners of another robot's walk and its speeds and accelerations, with hips as much higher as this
 /// robot's are on the spot.
-WalkGaits withCornersOf(const WalkGaits& gaits, const WalkGaits& other);
+walking::WalkGaits withCornersOf(const walking::WalkGaits& gaits, const walking::WalkGaits& other);
 
 /// The file robots/simspark_typeN/walking.yaml: what is different from the common walk.
-std::string walkFile(const WalkGaits& gaits, const WalkParameters& common, const std::string& heading);
+std::string walkFile(const walking::WalkGaits& gaits, const walking::WalkParameters& common,
+                     const std::string& heading);
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

@@ -2,13 +2,13 @@
 
 #include "math/Random.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 namespace {
 
 /// Any request within the walk's limits, in one case of four full speed ahead, in one a turn on the spot, in
 /// some a stop.
-WalkRequest anyRequest(Random& random, const WalkParameters& p) {
-  WalkRequest request;
+walking::WalkRequest anyRequest(Random& random, const walking::WalkParameters& p) {
+  walking::WalkRequest request;
   request.walk = random.uniform() > 0.15;
   request.velocity = Vec2(random.uniform(-p.speed.maxBackward, p.speed.maxForward),
                           random.uniform(-p.speed.maxSideways, p.speed.maxSideways));
@@ -24,7 +24,7 @@ WalkRequest anyRequest(Random& random, const WalkParameters& p) {
 }
 
 /// Full speed with little else.
-WalkRequest nearly(WalkRequest full, Random& random, const WalkParameters& p) {
+walking::WalkRequest nearly(walking::WalkRequest full, Random& random, const walking::WalkParameters& p) {
   const auto some = [&](double most) { return random.uniform(-0.15, 0.15) * most; };
   full.velocity += Vec2(full.velocity.x() == 0 ? some(p.speed.maxForward) : 0,
                         full.velocity.y() == 0 ? some(p.speed.maxSideways) : 0);
@@ -36,14 +36,14 @@ class Try {
 public:
   Try(Walker& robot, Random& random, double push) : robot_(robot), random_(random), push_(push) {}
 
-  bool step(const WalkRequest& request) {
+  bool step(const walking::WalkRequest& request) {
     if (push_ > 0 && random_.uniform() < robot_.cycle) {
       const double direction = random_.uniform(-pi, pi), size = random_.uniform(0, push_);
       robot_.push(size * Vec3(std::cos(direction), std::sin(direction), 0));
     }
     return robot_.step(request);
   }
-  bool run(const WalkRequest& request, double seconds) {
+  bool run(const walking::WalkRequest& request, double seconds) {
     double t = 0;
     while (t < seconds) {
       if (!step(request)) return false;
@@ -59,19 +59,19 @@ private:
 };
 
 /// One try in one direction; false if it ended in a fall.
-bool tryDirection(Walker& robot, Random& random, const WalkParameters& p, Task task, const TrialSetup& setup,
-                  TrialResult& result) {
+bool tryDirection(Walker& robot, Random& random, const walking::WalkParameters& p, Task task,
+                  const TrialSetup& setup, TrialResult& result) {
   Try attempt(robot, random, setup.push);
   robot.restart(Pose2(-14, 5));  // clear of goals and walls
   const double sign = random.uniform() < 0.5 ? -1 : 1;
-  const WalkRequest full = fullSpeed(task, sign);
+  const walking::WalkRequest full = fullSpeed(task, sign);
   if (!attempt.run({}, random.uniform(0.1, 0.5))) return false;
   if (!attempt.run(full, 1.2)) return false;
   double along = 0, across = 0, time = 0;
   bool upright = true;
   for (double t = 1.2; upright && t < setup.seconds;) {
     // Full speed, then something else for a while.
-    const auto go = [&](const WalkRequest& request, double duration, bool counts) {
+    const auto go = [&](const walking::WalkRequest& request, double duration, bool counts) {
       const double end = std::min(setup.seconds, t + duration), turned = robot.turned();
       Vec2 way = Vec2::Zero();
       const double begin = t;
@@ -98,7 +98,7 @@ bool tryDirection(Walker& robot, Random& random, const WalkParameters& p, Task t
   return upright && attempt.run({}, 2) && robot.output.standing;
 }
 
-TrialResult tryMixture(Walker& robot, const WalkParameters& p, const TrialSetup& setup) {
+TrialResult tryMixture(Walker& robot, const walking::WalkParameters& p, const TrialSetup& setup) {
   TrialResult result;
   const double minutes = setup.tries * setup.seconds / 60;
   Random random(setup.seed);
@@ -107,7 +107,7 @@ TrialResult tryMixture(Walker& robot, const WalkParameters& p, const TrialSetup&
   double time = 0, wanted = 0, got = 0, length = 0, miss = 0;
   int falls = 0;
   while (time < 60 * minutes) {
-    const WalkRequest request = anyRequest(random, p);
+    const walking::WalkRequest request = anyRequest(random, p);
     const double duration = random.uniform(0.3, 2);
     time += duration;
     Pose2 walked, estimated;
@@ -145,14 +145,14 @@ TrialResult tryMixture(Walker& robot, const WalkParameters& p, const TrialSetup&
 
 /// One push of 0.1 s while standing, stepping or walking, from anywhere; falls count the more the smaller it
 /// was, the hardest by half as much as the mean.
-TrialResult tryPushes(Walker& robot, const WalkParameters& p, const TrialSetup& setup) {
+TrialResult tryPushes(Walker& robot, const walking::WalkParameters& p, const TrialSetup& setup) {
   TrialResult result;
   for (int i = 0; i < setup.tries; ++i) {
     Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
-    WalkRequest request;
+    walking::WalkRequest request;
     if (i % 3 == 1) request = {Vec2::Zero(), 0, true};
     if (i % 3 == 2) {
-      request = random.uniform() < 0.5 ? WalkRequest{Vec2(0.3, 0), 0, true} : anyRequest(random, p);
+      request = random.uniform() < 0.5 ? walking::WalkRequest{Vec2(0.3, 0), 0, true} : anyRequest(random, p);
       request.walk = true;
     }
     const double share = (i + random.uniform()) / setup.tries, direction = random.uniform(-pi, pi);
@@ -171,7 +171,7 @@ TrialResult tryPushes(Walker& robot, const WalkParameters& p, const TrialSetup& 
 
 }  // namespace
 
-WalkRequest fullSpeed(Task task, double sign) {
+walking::WalkRequest fullSpeed(Task task, double sign) {
   constexpr double enough = 9;
   switch (task) {
     case Task::forward:
@@ -188,7 +188,8 @@ WalkRequest fullSpeed(Task task, double sign) {
   return {};
 }
 
-HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait, double aside) {
+HeldSpeed holdSpeed(Walker& robot, const walking::WalkRequest& request, double seconds, double wait,
+                    double aside) {
   HeldSpeed result;
   const Vec2 direction = request.velocity.normalized();
   Vec2 begin(-14.5, 5 - aside);
@@ -219,7 +220,7 @@ HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, d
   return result;
 }
 
-TrialResult tryWalk(Walker& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup) {
+TrialResult tryWalk(Walker& robot, const walking::WalkGaits& gaits, Task task, const TrialSetup& setup) {
   robot.use(gaits);
   if (task == Task::mixture) return tryMixture(robot, gaits.base, setup);
   if (task == Task::push) return tryPushes(robot, gaits.base, setup);
@@ -237,4 +238,4 @@ TrialResult tryWalk(Walker& robot, const WalkGaits& gaits, Task task, const Tria
   return result;
 }
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

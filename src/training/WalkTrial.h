@@ -3,7 +3,7 @@
 
 #include "training/Walker.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 
 /// What a walk is tried for.
 enum class Task { forward, backward, sideways, turn, mixture, push };
@@ -30,10 +30,10 @@ struct TrialSetup {
 
 /// Lets the robot do the task: from standing at full speed for some seconds, then to a stop, with random
 /// pushes and small random changes of the request.
-TrialResult tryWalk(Walker& robot, const WalkGaits& gaits, Task task, const TrialSetup& setup);
+TrialResult tryWalk(Walker& robot, const walking::WalkGaits& gaits, Task task, const TrialSetup& setup);
 
 /// The request for more than any walk's full speed in a direction; sign 1 or -1: left or right.
-WalkRequest fullSpeed(Task task, double sign);
+walking::WalkRequest fullSpeed(Task task, double sign);
 
 /// How a walk held a speed.
 struct HeldSpeed {
@@ -45,6 +45,7 @@ struct HeldSpeed {
 /// The simulator has no randomness: from the same place after the same wait a robot does the same. At the end
 /// of the field the walking robot is moved back. If it cannot be moved, it starts again where there is most
 /// field ahead. The first two seconds never count.
-HeldSpeed holdSpeed(Walker& robot, const WalkRequest& request, double seconds, double wait, double aside);
+HeldSpeed holdSpeed(Walker& robot, const walking::WalkRequest& request, double seconds, double wait,
+                    double aside);
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

@@ -6,7 +6,7 @@
 #include "math/Pose2.h"
 #include "walking/engine/WalkEngine.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 
 /// A robot in a world of its own that walks with the engine, whatever robot and whatever physics: what
 /// training, tests and benchmarks see of it.
@@ -17,8 +17,8 @@ public:
   Walker& operator=(const Walker&) = delete;
 
   /// Walks with other parameters from now on, standing.
-  void use(const WalkGaits& gaits) {
-    engine = WalkEngine(gaits, model);
+  void use(const walking::WalkGaits& gaits) {
+    engine = walking::WalkEngine(gaits, model);
     restart();
   }
 
@@ -36,9 +36,9 @@ public:
   }
 
   /// One cycle; false when the robot lies.
-  bool step(const WalkRequest& request) {
+  bool step(const walking::WalkRequest& request) {
     if (interrupt) interrupt();
-    const WalkSensors sensors = sense();
+    const walking::WalkSensors sensors = sense();
     output = engine.update(request, sensors);
     act(output, sensors);
     const Pose2 now = pose();
@@ -48,7 +48,7 @@ public:
     return !fallen();
   }
   /// Many cycles; false as soon as the robot lies.
-  bool run(const WalkRequest& request, double seconds) {
+  bool run(const walking::WalkRequest& request, double seconds) {
     for (long i = std::lround(seconds / cycle); i > 0; --i)
       if (!step(request)) return false;
     return true;
@@ -76,13 +76,13 @@ public:
 
   const RobotModel model;
   const double cycle;  ///< of control [s]
-  WalkEngine engine;
+  walking::WalkEngine engine;
   std::function<void()> interrupt;  ///< called each cycle; what it throws ends the walk
-  WalkOutput output;
+  walking::WalkOutput output;
   Pose2 moved;  ///< in the last cycle
 
 protected:
-  Walker(const RobotModel& robot, const WalkGaits& gaits, double cycle)
+  Walker(const RobotModel& robot, const walking::WalkGaits& gaits, double cycle)
       : model(robot), cycle(cycle), engine(gaits, model) {}
 
   /// Targets with a head that looks around, as a player's does; time [s].
@@ -95,12 +95,12 @@ protected:
 private:
   virtual void put(const Pose2& place, const JointArray& angles) = 0;
   virtual void move(const Vec2& place) = 0;
-  virtual WalkSensors sense() = 0;
+  virtual walking::WalkSensors sense() = 0;
   /// Commands what the engine says and lets a cycle pass.
-  virtual void act(const WalkOutput& output, const WalkSensors& sensors) = 0;
+  virtual void act(const walking::WalkOutput& output, const walking::WalkSensors& sensors) = 0;
 
   Pose2 lastPose_;
   double turned_ = 0;
 };
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

@@ -12,26 +12,26 @@
 #include "training/FeltFeet.h"
 #include "training/Walker.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 
 /// The walk of a league robot type as the agent reads it: config/walking.yaml and the type's own file.
-inline WalkGaits readWalkGaits(int type) {
+inline walking::WalkGaits readLeagueGaits(int type) {
   const ConfigFile file("walking", {configFolder(), configPath("robots/" + simsparkRobotName(type))});
-  WalkGaits gaits = readWalkGaits(file.root());
+  walking::WalkGaits gaits = walking::readWalkGaits(file.root());
   file.checkUnknown();
   return gaits;
 }
 
 /// The common walk of config/walking.yaml alone: slow and in open loop, fitted to no robot.
-inline WalkGaits plainWalk() {
+inline walking::WalkGaits plainWalk() {
   const ConfigFile file("walking", {configFolder()});
-  const WalkGaits gaits = readWalkGaits(file.root());
+  const walking::WalkGaits gaits = walking::readWalkGaits(file.root());
   file.checkUnknown();
   return gaits;
 }
 
 /// The same walk in open loop: nothing measured has an effect.
-inline WalkGaits withoutFeedback(WalkGaits gaits) {
+inline walking::WalkGaits withoutFeedback(walking::WalkGaits gaits) {
   gaits.openLoop();
   return gaits;
 }
@@ -40,9 +40,9 @@ inline WalkGaits withoutFeedback(WalkGaits gaits) {
 /// 0.01 m/s^2.
 class WalkingRobot : public Walker {
 public:
-  explicit WalkingRobot(int type) : WalkingRobot(type, readWalkGaits(type)) {}
+  explicit WalkingRobot(int type) : WalkingRobot(type, readLeagueGaits(type)) {}
   /// config: of its world, effects among it.
-  WalkingRobot(int type, const WalkGaits& gaits, const simulation::WorldConfig& config = {})
+  WalkingRobot(int type, const walking::WalkGaits& gaits, const simulation::WorldConfig& config = {})
       : Walker(simsparkRobot(type), gaits, 0.02), local(model, config), control_(model) {
     restart();
   }
@@ -80,8 +80,8 @@ private:
     torso.pose.translation().head<2>() = place;
     local.world().setState(local.robot(), torso, local.sense().angle, rates());
   }
-  WalkSensors sense() override {
-    WalkSensors sensors;
+  walking::WalkSensors sense() override {
+    walking::WalkSensors sensors;
     const simulation::RobotReadings& sensed = local.sense();
     lastAngles_ = sensed.angle;
     for (std::size_t j = 0; j < maxJoints; ++j)
@@ -91,12 +91,12 @@ private:
       sensors.gyro[i] = rounded(sensed.gyro[i], fromDegrees(0.01));
       acc[i] = rounded(sensed.acc[i], 0.01);
     }
-    sensors.feet = training::feltFeet(sensed);
+    sensors.feet = feltFeet(sensed);
     filter_.update(sensors.gyro, acc, sensors.dt);
     sensors.torsoAngles = Vec2(filter_.roll(), filter_.pitch());
     return sensors;
   }
-  void act(const WalkOutput& output, const WalkSensors& sensors) override {
+  void act(const walking::WalkOutput& output, const walking::WalkSensors& sensors) override {
     local.act(control_.update(sensors.angles, lookingAround(output.angles, local.time()), sensors.dt));
   }
   /// As the league's server prints it.
@@ -112,4 +112,4 @@ private:
   JointArray lastAngles_{};
 };
 
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

@@ -51,14 +51,14 @@ void inferenceMemory(std::string_view bytes) {
 void walkCheckpoint(std::string_view bytes) {
   const std::string path = scratchFile("walking.yaml.search", bytes);
   refusesInOneLine([&] {
-    const walking::WalkCheckpoint checkpoint(path, "mark");
+    const training::WalkCheckpoint checkpoint(path, "mark");
     require(checkpoint.resumed(), "a file that is there was not read");
   });
   refusesInOneLine([&] {
-    const walking::WalkGaits gaits = walking::walkOfExactText(std::string(bytes));
-    require(
-        walking::exactText(walking::walkOfExactText(walking::exactText(gaits))) == walking::exactText(gaits),
-        "a walk changes when it is read back");
+    const walking::WalkGaits gaits = training::walkOfExactText(std::string(bytes));
+    require(training::exactText(training::walkOfExactText(training::exactText(gaits))) ==
+                training::exactText(gaits),
+            "a walk changes when it is read back");
   });
 }
 
@@ -107,7 +107,7 @@ std::vector<std::string> searchMemorySeeds() {
 }
 
 std::vector<std::string> walkCheckpointSeeds() {
-  const std::string walk = walking::exactText({});
+  const std::string walk = training::exactText({});
   const std::string line = walk.substr(0, walk.find('\n')) + "\\n";
   return {R"({"mark":"mark","done":[],"search":"00ff"})", R"({"mark":"other","done":[],"search":""})",
           R"({"mark":"mark","done":[")" + line + R"("],"search":""})", walk};

@@ -72,7 +72,7 @@ private:
 
   const std::filesystem::path folder_ =
       std::filesystem::path(testing::TempDir()) / ("keyframes-on-servos-" + std::to_string(getpid()));
-  simulation::BulletRobot world_;
+  servo::BulletRobot world_;
 };
 
 constexpr const char* upright = R"(keyframes:

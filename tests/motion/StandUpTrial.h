@@ -6,6 +6,7 @@
 #include "training/MotionTrial.h"
 
 namespace plumbline::motion {
+using namespace training;
 
 constexpr double longestStandUp = 12;  ///< repeats included [s]
 

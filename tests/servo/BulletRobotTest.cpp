@@ -10,7 +10,7 @@
 #include "math/Angle.h"
 #include "robot/MechanismFile.h"
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 namespace {
 
 std::size_t at(int i) { return static_cast<std::size_t>(i); }
@@ -383,4 +383,4 @@ TEST(BulletRobot, wantsADriveForEveryJoint) {
 }
 
 }  // namespace
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

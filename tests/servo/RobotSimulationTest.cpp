@@ -8,7 +8,7 @@
 #include "math/Angle.h"
 #include "robot/MechanismFile.h"
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 namespace {
 
 std::string refusal(const std::string& engine, const std::vector<std::string>& others = {}) {
@@ -111,4 +111,4 @@ INSTANTIATE_TEST_SUITE_P(Engines, AnyEngine, testing::ValuesIn(RobotSimulations:
                          [](const auto& info) { return info.param; });
 
 }  // namespace
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace plumbline::simulation {
+namespace plumbline::servo {
 namespace {
 
 constexpr double h = 0.001;
@@ -184,4 +184,4 @@ TEST(ServoDrive, dryFrictionOfEachKind) {
 }
 
 }  // namespace
-}  // namespace plumbline::simulation
+}  // namespace plumbline::servo

@@ -4,6 +4,7 @@
 
 #include "ServerFixture.h"
 #include "simspark/TrainerCommand.h"
+#include "support/FarOff.h"
 
 namespace plumbline::simulation {
 namespace {
@@ -56,7 +57,10 @@ TEST(Game, mayEndTheSimulatorTenSecondsLater) {
   AgentCommand done;
   done.syn = true;
   std::string_view text;
-  while (agent.connection.receive(text, 1) == simspark::Connection::Status::message) agent.send(done);
+  EXPECT_TRUE(comesTrue([&] {
+    while (agent.connection.receive(text, 0.01) == simspark::Connection::Status::message) agent.send(done);
+    return server.ended();
+  }));
   server.join();
   EXPECT_NE(all.find("(pm GameOver)"), std::string::npos);
   EXPECT_NEAR(server.statistics().simulatedSeconds, 10.5, 0.2);

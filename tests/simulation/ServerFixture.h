@@ -24,7 +24,10 @@ public:
       const std::lock_guard lock(mutex_);
       lines_ += line + '\n';
     });
-    thread_ = std::thread([this] { server_->run(stop_); });
+    thread_ = std::thread([this] {
+      server_->run(stop_);
+      ended_ = true;
+    });
   }
   ~RunningServer() { end(); }
 
@@ -32,7 +35,9 @@ public:
     stop_ = true;
     if (thread_.joinable()) thread_.join();
   }
-  /// Waits until it has ended by itself.
+  /// Whether it has ended by itself.
+  bool ended() const { return ended_; }
+  /// Waits until it has.
   void join() { thread_.join(); }
   int agentPort() const { return server_->agentPort(); }
   int monitorPort() const { return server_->monitorPort(); }
@@ -51,7 +56,7 @@ private:
   std::mutex mutex_;
   std::string lines_;
   std::unique_ptr<simulation::Server> server_;
-  std::atomic<bool> stop_ = false;
+  std::atomic<bool> stop_ = false, ended_ = false;
   std::thread thread_;
 };
 

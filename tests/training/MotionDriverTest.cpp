@@ -7,7 +7,7 @@
 
 #include "training/MotionTrial.h"
 
-namespace plumbline::motion {
+namespace plumbline::training {
 namespace {
 
 /// A robot that does what it is told, and whose torso is turned by hand.
@@ -49,7 +49,7 @@ TEST(MotionDriver, liesAfterFiveTiltedCyclesAndIsStillAfterThree) {
 
 TEST(MotionDriver, playsAMotionToItsEndOrToAFall) {
   Puppet robot(0);
-  const KeyframeMotion& motion = robot.motion("standUpFront");
+  const motion::KeyframeMotion& motion = robot.motion("standUpFront");
   EXPECT_TRUE(robot.play(motion));
   EXPECT_NEAR(robot.elapsed, MotionDriver::dt * robot.moves, 1e-9);
   EXPECT_GT(robot.moves, 50);
@@ -105,4 +105,4 @@ TEST(MotionDriver, aSeedRepeatsItsNumbers) {
 }
 
 }  // namespace
-}  // namespace plumbline::motion
+}  // namespace plumbline::training

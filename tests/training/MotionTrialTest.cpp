@@ -6,7 +6,7 @@
 
 #include "framework/StopSignal.h"
 
-namespace plumbline::motion {
+namespace plumbline::training {
 namespace {
 
 TEST(MotionTrial, aPushMakesAWalkingRobotFallTheWayItGoes) {
@@ -18,7 +18,7 @@ TEST(MotionTrial, aPushMakesAWalkingRobotFallTheWayItGoes) {
     if (!trial.stumble(1)) continue;
     ++falls;
     EXPECT_TRUE(trial.lying());
-    wanted += lyingOn(trial.up()) == LyingOn::front;
+    wanted += motion::lyingOn(trial.up()) == motion::LyingOn::front;
   }
   EXPECT_GE(wanted, 4);
 }
@@ -50,4 +50,4 @@ TEST(MotionTrial, aStopEndsATry) {
 }
 
 }  // namespace
-}  // namespace plumbline::motion
+}  // namespace plumbline::training

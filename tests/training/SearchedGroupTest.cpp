@@ -3,13 +3,14 @@
 #include <gtest/gtest.h>
 
 #include "framework/ConfigFile.h"
+#include "support/Thrown.h"
 #include "tactics/approach/BallPositioning.h"
 
 namespace plumbline::training {
 namespace {
 
 TEST(SearchedGroup, namesNumbersWithoutDotsAndWritesThemByGroups) {
-  static constexpr SearchedPath numbers[] = {{"leaveTolerances", 0.2}, {"walk.maxTurn", 0.3}};
+  const std::vector<FirstStep> numbers{{"leaveTolerances", 0.2, ""}, {"walk.maxTurn", 0.3, ""}};
   const ConfigFile file("SkillGetBall", {"config"});
   const SearchedGroup<BallPositioningParameters> searched(file.root().section("positioning"), numbers);
   ASSERT_EQ(searched.parameters().size(), 2U);
@@ -24,7 +25,7 @@ TEST(SearchedGroup, namesNumbersWithoutDotsAndWritesThemByGroups) {
 }
 
 TEST(SearchedGroup, whatIsNotAmongTheSearchedKeepsItsValueAndIsWritten) {
-  static constexpr SearchedPath numbers[] = {{"leaveTolerances", 0.2}, {"walk.maxTurn", 0.3}};
+  const std::vector<FirstStep> numbers{{"leaveTolerances", 0.2, ""}, {"walk.maxTurn", 0.3, ""}};
   const ConfigFile file("SkillGetBall", {"config"});
   const SearchedGroup<BallPositioningParameters> searched(
       file.root().section("positioning"), numbers,
@@ -36,6 +37,17 @@ TEST(SearchedGroup, whatIsNotAmongTheSearchedKeepsItsValueAndIsWritten) {
   EXPECT_EQ(searched.lines(keeps).text,
             fmt::format("  walk:\n    maxTurn: {:.4g}\n  leaveTolerances: 1.5\n", turn));
   EXPECT_EQ(searched.lines(keeps).count, 2U);
+}
+
+TEST(SearchedGroup, aStepOfNoNumberIsAnErrorWithTheNearestName) {
+  const std::vector<FirstStep> numbers{{"walk.maxTrun", 0.3, "steps.yaml:3: positioning.walk.maxTrun"}};
+  const ConfigFile file("SkillGetBall", {"config"});
+  EXPECT_EQ(thrownBy([&] {
+              const SearchedGroup<BallPositioningParameters> searched(file.root().section("positioning"),
+                                                                      numbers);
+            }),
+            "steps.yaml:3: positioning.walk.maxTrun: no parameter \"walk.maxTrun\"; did you mean "
+            "\"walk.maxTurn\"?");
 }
 
 }  // namespace

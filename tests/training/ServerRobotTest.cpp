@@ -34,7 +34,7 @@ TEST(ServerAddress, isReadOrRefused) {
 
 JointArray standOf(int type) {
   const RobotModel model = simsparkRobot(type);
-  return walking::WalkEngine(walking::readWalkGaits(type), model).stand().angles;
+  return walking::WalkEngine(readLeagueGaits(type), model).stand().angles;
 }
 
 TEST(ServerRobot, standsWhereItIsPutAndSensesIt) {

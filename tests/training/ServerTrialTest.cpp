@@ -6,7 +6,7 @@
 #include "training/tasks/BeforeKick.h"
 #include "training/tasks/WalkOn.h"
 
-namespace plumbline::motion {
+namespace plumbline::training {
 namespace {
 
 TEST(ServerTrial, fallsAndStandsUpThereAsHere) {
@@ -23,7 +23,7 @@ TEST(ServerTrial, fallsAndStandsUpThereAsHere) {
       EXPECT_TRUE(trial.lying());
       EXPECT_EQ(trial.nextStandUp().name, motion + "Fast");
       trial.play(trial.motion(motion));
-      training::WalkOn walk(trial);
+      WalkOn walk(trial);
       walk.begin(trial.player.angles());
       while (!walk.isOver()) walk.step();
       up += walk.upright();
@@ -40,10 +40,10 @@ TEST(ServerTrial, comesToRestBeforeAKick) {
     trial.standAt(Pose2(-10, 5, 0));
     EXPECT_FALSE(trial.lying());
     trial.seed(seed);
-    came += training::comesToKick(trial);
+    came += comesToKick(trial);
   }
   EXPECT_GE(came, 4);
 }
 
 }  // namespace
-}  // namespace plumbline::motion
+}  // namespace plumbline::training

@@ -6,17 +6,17 @@
 #include "training/WalkTrial.h"
 #include "training/WalkingRobot.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 namespace {
 
-training::ServerAddress of(const test::RunningServer& server) {
+ServerAddress of(const test::RunningServer& server) {
   return {"127.0.0.1", server.agentPort(), server.monitorPort()};
 }
 
 TEST(ServerWalker, walksThereAsItDoesHere) {
   test::RunningServer server(test::inStep());
-  const WalkGaits gaits = readWalkGaits(0);
-  const WalkRequest forward{Vec2(0.3, 0), 0, true};
+  const walking::WalkGaits gaits = readLeagueGaits(0);
+  const walking::WalkRequest forward{Vec2(0.3, 0), 0, true};
   WalkingRobot here(0, gaits);
   ServerWalker there(0, gaits, of(server));
   for (Walker* robot : {static_cast<Walker*>(&here), static_cast<Walker*>(&there)}) {
@@ -34,23 +34,23 @@ TEST(ServerWalker, walksThereAsItDoesHere) {
 
 TEST(ServerWalker, standsUpAgainAfterAFall) {
   test::RunningServer server(test::inStep());
-  ServerWalker robot(3, readWalkGaits(3), of(server));
-  WalkGaits wild = readWalkGaits(3);
+  ServerWalker robot(3, readLeagueGaits(3), of(server));
+  walking::WalkGaits wild = readLeagueGaits(3);
   wild.base.posture.torsoPitch = 0.6;
-  for (WalkParameters& corner : wild.corner) corner.posture.torsoPitch = 0.6;
+  for (walking::WalkParameters& corner : wild.corner) corner.posture.torsoPitch = 0.6;
   robot.use(wild);
   EXPECT_FALSE(robot.run({Vec2(9, 0), 0, true}, 10)) << "bent so far forward nobody walks fast";
-  robot.use(readWalkGaits(3));
+  robot.use(readLeagueGaits(3));
   EXPECT_TRUE(robot.run({Vec2(0.3, 0), 0, true}, 3));
 }
 
 TEST(ServerWalker, isHeldInLapsOfTheField) {
   test::RunningServer server(test::inStep());
-  ServerWalker there(0, readWalkGaits(0), of(server));
-  WalkingRobot here(0, readWalkGaits(0));
+  ServerWalker there(0, readLeagueGaits(0), of(server));
+  WalkingRobot here(0, readLeagueGaits(0));
   for (const Task task : {Task::forward, Task::backward, Task::sideways, Task::turn})
     for (const double sign : {-1.0, 1.0}) {
-      const WalkRequest full = fullSpeed(task, sign);
+      const walking::WalkRequest full = fullSpeed(task, sign);
       const HeldSpeed far = holdSpeed(there, full, 40, 0.3, 0), near = holdSpeed(here, full, 40, 0.3, 0);
       EXPECT_TRUE(far.upright);
       EXPECT_NEAR(far.speed, near.speed, 0.03 * near.speed);
@@ -58,9 +58,9 @@ TEST(ServerWalker, isHeldInLapsOfTheField) {
 }
 
 TEST(ServerWalker, saysWhatAServerCannot) {
-  EXPECT_THROW(ServerWalker(0, readWalkGaits(0), {"127.0.0.1", 1, 1}), std::runtime_error);
+  EXPECT_THROW(ServerWalker(0, readLeagueGaits(0), {"127.0.0.1", 1, 1}), std::runtime_error);
   auto server = std::make_unique<test::RunningServer>(test::inStep());
-  ServerWalker robot(0, readWalkGaits(0), of(*server));
+  ServerWalker robot(0, readLeagueGaits(0), of(*server));
   EXPECT_THROW(robot.push(Vec3::UnitX()), std::logic_error);
   EXPECT_FALSE(robot.carries());
   EXPECT_THROW(robot.carry(Vec2::Zero()), std::logic_error);
@@ -70,4 +70,4 @@ TEST(ServerWalker, saysWhatAServerCannot) {
 }
 
 }  // namespace
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

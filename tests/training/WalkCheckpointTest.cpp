@@ -11,7 +11,7 @@
 #include "training/WalkTraining.h"
 #include "training/WalkingRobot.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 namespace {
 
 class WalkCheckpointTest : public testing::Test {
@@ -23,7 +23,7 @@ protected:
 
 TrainingSetup shortSearch() {
   TrainingSetup setup;
-  setup.walker = [](const WalkGaits& walk) { return std::make_unique<WalkingRobot>(0, walk); };
+  setup.walker = [](const walking::WalkGaits& walk) { return std::make_unique<WalkingRobot>(0, walk); };
   setup.generations = 4;
   setup.population = 4;
   setup.trial.tries = 1;
@@ -32,10 +32,10 @@ TrainingSetup shortSearch() {
   return setup;
 }
 
-const auto silent = [](const std::string&, const WalkGaits&) {};
+const auto silent = [](const std::string&, const walking::WalkGaits&) {};
 
 TEST_F(WalkCheckpointTest, aWalkIsKeptBitForBit) {
-  WalkGaits walk = readWalkGaits(4);
+  walking::WalkGaits walk = readLeagueGaits(4);
   walk.base.posture.hipHeight = 0.1 + 1e-17;
   walk.corner[2].step.height = 1.0 / 3;
   EXPECT_EQ(exactText(walkOfExactText(exactText(walk))), exactText(walk));
@@ -45,31 +45,31 @@ TEST_F(WalkCheckpointTest, aWalkIsKeptBitForBit) {
 
 TEST_F(WalkCheckpointTest, aSearchFindsTheSameWithAnyNumberOfJobs) {
   TrainingSetup setup = shortSearch();
-  const std::string alone = exactText(train(readWalkGaits(0), setup, silent));
+  const std::string alone = exactText(train(readLeagueGaits(0), setup, silent));
   setup.jobs = 3;
-  EXPECT_EQ(exactText(train(readWalkGaits(0), setup, silent)), alone);
+  EXPECT_EQ(exactText(train(readLeagueGaits(0), setup, silent)), alone);
 }
 
 TEST_F(WalkCheckpointTest, aSearchThatWasInterruptedFindsTheSame) {
   TrainingSetup setup = shortSearch();
   std::vector<std::string> states;
   setup.store = [&](const std::string& state) { states.push_back(state); };
-  const std::string undisturbed = exactText(train(readWalkGaits(0), setup, silent));
+  const std::string undisturbed = exactText(train(readLeagueGaits(0), setup, silent));
   ASSERT_EQ(states.size(), 4u);
   setup.store = nullptr;
   for (const std::string& state : states) {
     setup.state = state;
-    EXPECT_EQ(exactText(train(readWalkGaits(0), setup, silent)), undisturbed);
+    EXPECT_EQ(exactText(train(readLeagueGaits(0), setup, silent)), undisturbed);
   }
 }
 
 TEST_F(WalkCheckpointTest, stagesThatAreDoneAreReadBack) {
-  const WalkGaits first = readWalkGaits(1), second = readWalkGaits(2);
+  const walking::WalkGaits first = readLeagueGaits(1), second = readLeagueGaits(2);
   {
     WalkCheckpoint checkpoint(file, "mark");
     EXPECT_FALSE(checkpoint.resumed());
     checkpoint.stage([&] { return first; });
-    EXPECT_THROW(checkpoint.stage([&]() -> WalkGaits {
+    EXPECT_THROW(checkpoint.stage([&]() -> walking::WalkGaits {
       checkpoint.storeSearch("state 1");
       throw std::runtime_error("killed");
     }),
@@ -77,8 +77,9 @@ TEST_F(WalkCheckpointTest, stagesThatAreDoneAreReadBack) {
   }
   WalkCheckpoint checkpoint(file, "mark");
   EXPECT_TRUE(checkpoint.resumed());
-  EXPECT_EQ(exactText(checkpoint.stage([&]() -> WalkGaits { throw std::runtime_error("done before"); })),
-            exactText(first));
+  EXPECT_EQ(
+      exactText(checkpoint.stage([&]() -> walking::WalkGaits { throw std::runtime_error("done before"); })),
+      exactText(first));
   EXPECT_EQ(exactText(checkpoint.stage([&] { return second; })), exactText(second));
   EXPECT_EQ(checkpoint.search(), "");
   checkpoint.forget();
@@ -86,7 +87,7 @@ TEST_F(WalkCheckpointTest, stagesThatAreDoneAreReadBack) {
 }
 
 TEST_F(WalkCheckpointTest, whatIsOfAnotherSearchOrDamagedIsRefused) {
-  WalkCheckpoint(file, "mark").stage([] { return readWalkGaits(1); });
+  WalkCheckpoint(file, "mark").stage([] { return readLeagueGaits(1); });
   const auto errorOf = [&](const std::string& mark) -> std::string {
     try {
       WalkCheckpoint checkpoint(file, mark);
@@ -110,4 +111,4 @@ TEST_F(WalkCheckpointTest, whatIsOfAnotherSearchOrDamagedIsRefused) {
 }
 
 }  // namespace
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

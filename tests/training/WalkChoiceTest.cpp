@@ -6,18 +6,18 @@
 
 #include "training/WalkingRobot.h"
 
-namespace plumbline::walking {
+namespace plumbline::training {
 namespace {
 
 /// A slow walk whose sprint forward is three times as quick and higher.
-WalkGaits sprinter() {
-  WalkParameters base;
+walking::WalkGaits sprinter() {
+  walking::WalkParameters base;
   base.speed.omniForward = 0.2;
   base.speed.maxForward = 0.6;
   base.speed.omniSideways = 0.1;
   base.speed.maxSideways = 0.3;
   base.step.height = 0.02;
-  WalkGaits gaits(base);
+  walking::WalkGaits gaits(base);
   gaits.corner[0].step.height = 0.04;
   return gaits;
 }
@@ -33,7 +33,7 @@ ChoiceSetup quick() {
 }
 
 TEST(WalkChoice, aCutSprintGoesTheSameWayLessFar) {
-  const WalkGaits all = sprinter(), half = cutSprint(all, Task::forward, 0.5);
+  const walking::WalkGaits all = sprinter(), half = cutSprint(all, Task::forward, 0.5);
   EXPECT_NEAR(half.base.speed.maxForward, 0.4, 1e-12);
   EXPECT_EQ(half.base.speed.maxSideways, 0.3);
   for (const double speed : {0.1, 0.2, 0.3, 0.4})
@@ -43,7 +43,7 @@ TEST(WalkChoice, aCutSprintGoesTheSameWayLessFar) {
 }
 
 TEST(WalkChoice, nothingIsLeftOfASprintCutToNothing) {
-  const WalkGaits none = cutSprints(sprinter(), 0);
+  const walking::WalkGaits none = cutSprints(sprinter(), 0);
   EXPECT_EQ(none.base.speed.maxForward, 0.2);
   EXPECT_EQ(none.base.speed.maxSideways, 0.1);
   EXPECT_EQ(none.corner[0].step.height, 0.02);
@@ -51,7 +51,7 @@ TEST(WalkChoice, nothingIsLeftOfASprintCutToNothing) {
 }
 
 TEST(WalkChoice, aSlowerMixtureLeavesFullSpeedsAlone) {
-  const WalkGaits slow = slowMixture(sprinter(), 0.5);
+  const walking::WalkGaits slow = slowMixture(sprinter(), 0.5);
   EXPECT_EQ(slow.base.speed.omniForward, 0.1);
   EXPECT_EQ(slow.corner[2].speed.omniSideways, 0.05);
   EXPECT_EQ(slow.base.speed.maxForward, 0.6);
@@ -59,8 +59,8 @@ TEST(WalkChoice, aSlowerMixtureLeavesFullSpeedsAlone) {
 
 TEST(WalkChoice, aSprintThatMakesTheRobotFallIsCutOrLeftAway) {
   // Slow steps at 1.5 m/s: beyond what legs can do.
-  WalkGaits gaits = plainWalk();
-  for (WalkParameters* p :
+  walking::WalkGaits gaits = plainWalk();
+  for (walking::WalkParameters* p :
        {&gaits.base, &gaits.corner[0], &gaits.corner[1], &gaits.corner[2], &gaits.corner[3]}) {
     p->speed.omniForward = 0.1;
     p->speed.maxForward = 1.5;
@@ -72,8 +72,8 @@ TEST(WalkChoice, aSprintThatMakesTheRobotFallIsCutOrLeftAway) {
   EXPECT_FALSE(sprintHolds(robot, gaits, Task::forward, setup));
   EXPECT_TRUE(sprintHolds(robot, cutSprint(gaits, Task::forward, 0), Task::forward, setup));
   std::string said;
-  const WalkGaits chosen = chooseSprint(robot, gaits, {gaits}, Task::forward, setup,
-                                        [&](const std::string& line) { said += line; });
+  const walking::WalkGaits chosen = chooseSprint(robot, gaits, {gaits}, Task::forward, setup,
+                                                 [&](const std::string& line) { said += line; });
   EXPECT_LT(chosen.base.speed.maxForward, 1.5);
   EXPECT_GE(chosen.base.speed.maxForward, 0.1);
   EXPECT_TRUE(sprintHolds(robot, chosen, Task::forward, setup));
@@ -81,11 +81,11 @@ TEST(WalkChoice, aSprintThatMakesTheRobotFallIsCutOrLeftAway) {
 }
 
 TEST(WalkChoice, theSameSeedChoosesTheSame) {
-  const WalkGaits gaits = plainWalk();
+  const walking::WalkGaits gaits = plainWalk();
   WalkingRobot robot(3, gaits), again(3, gaits);
   const ChoiceSetup setup = quick();
   EXPECT_EQ(randomFalls(robot, gaits, setup, 1), randomFalls(again, gaits, setup, 1));
 }
 
 }  // namespace
-}  // namespace plumbline::walking
+}  // namespace plumbline::training

@@ -4,6 +4,7 @@
 #include "training/ServoWalker.h"
 
 namespace plumbline::walking {
+using namespace training;
 namespace {
 
 /// The NAO with position servos in the project's own physics, with the walk in config/; slower than the

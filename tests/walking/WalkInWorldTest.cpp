@@ -7,6 +7,7 @@
 #include "training/WalkingRobot.h"
 
 namespace plumbline::walking {
+using namespace training;
 namespace {
 
 /// What a type reached with the values in config/. It is the worst of six starts at other headings and after
@@ -96,7 +97,7 @@ TEST_P(WalkInWorld, odometryFitsTheWay) {
 TEST_P(WalkInWorld, whatWasObservedTellsTheWayBetterThanWhatWasPlanned) {
   // Mean error over parts of a second of the way, for requests that change.
   const auto error = [&](double measured) {
-    WalkGaits gaits = readWalkGaits(GetParam());
+    WalkGaits gaits = readLeagueGaits(GetParam());
     gaits.base.odometry.observedShare = measured;
     robot.use(gaits);
     double miss = 0, length = 0;
@@ -155,7 +156,7 @@ bool survivesAPush(const WalkGaits& gaits, const WalkRequest& request) {
 }
 
 TEST(WalkPushed, captureStepsSaveWhatFallsInOpenLoop) {
-  const WalkGaits gaits = readWalkGaits(0);
+  const WalkGaits gaits = readLeagueGaits(0);
   const WalkRequest onTheSpot{Vec2::Zero(), 0, true};
   EXPECT_TRUE(survivesAPush(gaits, onTheSpot));
   EXPECT_FALSE(survivesAPush(withoutFeedback(gaits), onTheSpot));

@@ -72,8 +72,7 @@ void OutsideDrives::start(const std::vector<double>& commands) {
   for (std::size_t j = 0; j < drives_.size(); ++j) drives_[j].rest = drives_[j].bristleAt = commands[j];
 }
 
-void OutsideDrives::act(double time, double h, simulation::RobotSimulation& world,
-                        std::vector<double>& targets) {
+void OutsideDrives::act(double time, double h, servo::RobotSimulation& world, std::vector<double>& targets) {
   const std::vector<double> asked = targets;
   for (std::size_t j = 0; j < drives_.size(); ++j) {
     const auto joint = static_cast<int>(j);

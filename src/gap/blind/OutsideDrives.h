@@ -39,7 +39,7 @@ public:
   OutsideDrives(const Mechanism& robot, const std::vector<BlindEffect>& effects);
 
   void start(const std::vector<double>& commands) override;
-  void act(double time, double h, simulation::RobotSimulation& world, std::vector<double>& targets) override;
+  void act(double time, double h, servo::RobotSimulation& world, std::vector<double>& targets) override;
   Vec3 accBias() const override { return bias_; }
 
 private:

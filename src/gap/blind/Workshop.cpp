@@ -46,7 +46,7 @@ Cause causeOf(const BlindEffect& e, const Effect& effect, const Mechanism& robot
 }  // namespace
 
 void requireBlindEngine(const std::string& engine) {
-  simulation::RobotSimulations::require(engine, {blindProgram, blindReplay});
+  servo::RobotSimulations::require(engine, {blindProgram, blindReplay});
 }
 
 Workshop::Workshop(std::string engine, std::string robotName, const Mechanism& robot,

@@ -34,8 +34,8 @@ public:
         slice_(slice),
         outside_(outside),
         ground_(rotationOfGround(plant.ground)),
-        simulated_(simulation::RobotSimulations::make(engine, engineMechanism(plant, 1 / slice),
-                                                      engineOptions(plant, !trial.freeBase, slice))),
+        simulated_(servo::RobotSimulations::make(engine, engineMechanism(plant, 1 / slice),
+                                                 engineOptions(plant, !trial.freeBase, slice))),
         world_(*simulated_) {}
 
   Prediction play() {
@@ -110,12 +110,12 @@ private:
   };
 
   void remember() {
-    const simulation::ServoReadings& readings = world_.readings();
+    const servo::ServoReadings& readings = world_.readings();
     history_.push_back({readings.gyro, readings.acc});
   }
 
   void sense(std::size_t k, Prediction& prediction) const {
-    const simulation::ServoReadings& readings = world_.readings();
+    const servo::ServoReadings& readings = world_.readings();
     // Between two slices what lies between.
     const double late = std::min(plant_.imu.delay / slice_, static_cast<double>(history_.size() - 1));
     const auto whole = static_cast<std::size_t>(late);
@@ -165,8 +165,8 @@ private:
   const double slice_;  ///< commands are averaged over so much [s]
   OutsideEffects* const outside_;
   const Mat3 ground_;  ///< R_world_ground; the simulated world is the ground's
-  const std::unique_ptr<simulation::RobotSimulation> simulated_;
-  simulation::RobotSimulation& world_;
+  const std::unique_ptr<servo::RobotSimulation> simulated_;
+  servo::RobotSimulation& world_;
   std::vector<Inertial> history_;
 };
 
@@ -181,8 +181,8 @@ Mechanism engineMechanism(const Plant& plant, double controlHz) {
   return robot;
 }
 
-simulation::RobotSimulationOptions engineOptions(const Plant& plant, bool fixedBase, double step) {
-  simulation::RobotSimulationOptions config;
+servo::RobotSimulationOptions engineOptions(const Plant& plant, bool fixedBase, double step) {
+  servo::RobotSimulationOptions config;
   config.fixedBase = fixedBase;
   config.stepSeconds = step;
   config.groundFriction = plant.ground.friction;

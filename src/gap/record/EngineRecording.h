@@ -16,8 +16,7 @@ public:
   /// Before the recording: the first commands of all joints [rad].
   virtual void start(const std::vector<double>& commands) = 0;
   /// Called before a step of h [s] at this time: may change targets [rad] and put loads on joints.
-  virtual void act(double time, double h, simulation::RobotSimulation& world,
-                   std::vector<double>& targets) = 0;
+  virtual void act(double time, double h, servo::RobotSimulation& world, std::vector<double>& targets) = 0;
   /// [m/s^2], the sensor's axes.
   virtual Vec3 accBias() const { return Vec3::Zero(); }
 };
@@ -34,6 +33,6 @@ Run recordInEngine(const std::string& engine, const Mechanism& robot, const Exci
 /// joint that shares another's motor has its own servo, which must get the same commands, as in the replay.
 /// step: of the physics [s].
 Mechanism engineMechanism(const Plant& plant, double controlHz);
-simulation::RobotSimulationOptions engineOptions(const Plant& plant, bool fixedBase, double step = 0.001);
+servo::RobotSimulationOptions engineOptions(const Plant& plant, bool fixedBase, double step = 0.001);
 
 }  // namespace plumbline::gap

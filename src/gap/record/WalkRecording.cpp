@@ -30,22 +30,23 @@ void check(const Explanation& effects) {
 
 }  // namespace
 
-std::unique_ptr<walking::ServoWalker> walkerWith(const std::string& engine, const Mechanism& robot,
-                                                 const walking::WalkGaits& gaits,
-                                                 const Explanation& effects) {
+std::unique_ptr<training::ServoWalker> walkerWith(const std::string& engine, const Mechanism& robot,
+                                                  const walking::WalkGaits& gaits,
+                                                  const Explanation& effects) {
   check(effects);
   const Plant plant = plantOf(robot, effects);
-  return std::make_unique<walking::ServoWalker>(
+  return std::make_unique<training::ServoWalker>(
       robot, gaits,
-      simulation::RobotSimulations::make(engine, engineMechanism(plant, robot.controlHz),
-                                         engineOptions(plant, false)));
+      servo::RobotSimulations::make(engine, engineMechanism(plant, robot.controlHz),
+                                    engineOptions(plant, false)));
 }
 
 Run recordWalk(const std::string& engine, const Mechanism& robot, const Excitation& program,
                const SimulatedRecordingOptions& options) {
   if (!program.walk) throw std::invalid_argument(program.name + " is no walk");
-  const auto robotThatWalks = walkerWith(engine, robot, walking::readServoGaits(robot.name), options.effects);
-  walking::ServoWalker& walker = *robotThatWalks;
+  const auto robotThatWalks =
+      walkerWith(engine, robot, training::readServoGaits(robot.name), options.effects);
+  training::ServoWalker& walker = *robotThatWalks;
   const Plant plant = plantOf(robot, options.effects);
   std::vector<Cycle> cycles;
   walker.observer = [&](const walking::ServoMeasurement& measured, const walking::ServoCommand& command) {

@@ -110,7 +110,7 @@ void addBlind(CommandLine& app) {
           "--engine", making->engine,
           fmt::format("What simulates the reality: an engine of this program ({}), replay (the diagnosis' "
                       "own dynamics), or program (a separate one: --engine-program)",
-                      fmt::join(simulation::RobotSimulations::names(), ", ")))
+                      fmt::join(servo::RobotSimulations::names(), ", ")))
       .showDefault();
   maker.option("--battery", *battery, "Motions: hung up, or on the feet as well")
       .oneOf({"hang", "all"})

@@ -79,8 +79,7 @@ Run recordOne(const RecordOptions& options, const Mechanism& robot, const Item& 
   const bool own = options.engine == ownEngine;
   // The project's own dynamics have no closed loop.
   if (item.program.walk)
-    return recordWalk(own ? simulation::RobotSimulations::usual : options.engine, robot, item.program,
-                      recording);
+    return recordWalk(own ? servo::RobotSimulations::usual : options.engine, robot, item.program, recording);
   if (!onServer(options))
     return own ? recordSimulated(robot, item.program, recording)
                : recordInEngine(options.engine, robot, item.program, recording);
@@ -99,7 +98,7 @@ void checkWalks(const RecordOptions& options, const std::vector<Item>& items) {
 }
 
 void checkOptions(const RecordOptions& options) {
-  simulation::RobotSimulations::require(options.engine, {ownEngine});
+  servo::RobotSimulations::require(options.engine, {ownEngine});
   if (!onServer(options)) return;
   if (!options.effects.empty() || options.hasSecret)
     throw std::invalid_argument(
@@ -167,7 +166,7 @@ void addRecord(CommandLine& app) {
   command
       .option("--engine", options->engine,
               fmt::format("own: the diagnosis' own dynamics; or another engine of this program: {}",
-                          fmt::join(simulation::RobotSimulations::names(), ", ")))
+                          fmt::join(servo::RobotSimulations::names(), ", ")))
       .showDefault();
   command.option("--host", options->simspark.host, "Of the SimSpark server").showDefault();
   command.option("--port", options->simspark.port, "Its port for agents").port().showDefault();
@@ -178,7 +177,7 @@ void addRecord(CommandLine& app) {
       "--program", options->programs,
       std::string("Programs: names in config/excitation, or files; several make several runs. Walks are "
                   "walked in ") +
-          simulation::RobotSimulations::usual + ", or in --engine");
+          servo::RobotSimulations::usual + ", or in --engine");
   command.option("--battery", options->battery, "A standard set of programs, with a repeat")
       .oneOf({"hang", "stand", "all"});
   command.option("--effects", options->effects, "The robot has these effects: doc/reference/effects-file.md");

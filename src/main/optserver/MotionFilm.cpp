@@ -22,7 +22,7 @@ constexpr unsigned seed = 1;                        // the same fall each time, 
 
 class Camera {
 public:
-  Camera(motion::MotionTrial& trial, int type) : trial_(trial), kinematics_(trial.model) {
+  Camera(training::MotionTrial& trial, int type) : trial_(trial), kinematics_(trial.model) {
     for (const std::string& name : simspark::sceneBodies(type)) links_.push_back(trial.model.linkIndex(name));
   }
   void look() {
@@ -44,7 +44,7 @@ public:
   nlohmann::json frames() { return std::move(frames_); }
 
 private:
-  motion::MotionTrial& trial_;
+  training::MotionTrial& trial_;
   ForwardKinematics kinematics_;
   std::vector<int> links_;
   int cycle_ = 0;
@@ -53,7 +53,7 @@ private:
 
 /// Lets the robot of a stand-up fall, and returns the direction; in play it is pushed while it walks. No
 /// value for other tasks.
-std::optional<int> fallOf(const training::Study& study, motion::MotionTrial& trial) {
+std::optional<int> fallOf(const training::Study& study, training::MotionTrial& trial) {
   if (study.task != "standUp") return std::nullopt;
   const auto options = study.options.as<training::StandUpOptions>();
   const int direction = options.side();
@@ -66,12 +66,12 @@ std::optional<int> fallOf(const training::Study& study, motion::MotionTrial& tri
 }
 
 /// Plays a motion before the camera; its time [s].
-double play(const motion::KeyframeMotion& motion, motion::MotionTrial& trial, Camera& camera) {
+double play(const motion::KeyframeMotion& motion, training::MotionTrial& trial, Camera& camera) {
   motion::KeyframePlayer player;
   player.start(motion, trial.robot.sense().angle);
   double played = 0;
-  for (; !player.finished() && played < longest; played += motion::MotionTrial::dt) {
-    player.step(motion::MotionTrial::dt, trial.still());
+  for (; !player.finished() && played < longest; played += training::MotionTrial::dt) {
+    player.step(training::MotionTrial::dt, trial.still());
     trial.step(player.angles());
     camera.look();
   }
@@ -85,7 +85,7 @@ std::string motionFilm(const training::Study& study, const Eigen::VectorXd& para
   const std::string text = training::makeTask(study.task, study.options)->file(parameters, "");
   if (text.empty()) return {};
   const int type = study.options.robotType();
-  motion::MotionTrial trial(type);
+  training::MotionTrial trial(type);
   const motion::KeyframeMotion motion = motion::readKeyframeText(text, "found.yaml", trial.model, {});
   Camera camera(trial, type);
   trial.seed(seed);
@@ -95,7 +95,7 @@ std::string motionFilm(const training::Study& study, const Eigen::VectorXd& para
   // A motion for the side does half of the work.
   if (direction == 0 && !trial.upright()) played += play(trial.nextStandUp(), trial, camera);
   trial.beginWalk();
-  for (double t = 0; t < walkSeconds; t += motion::MotionTrial::dt) {
+  for (double t = 0; t < walkSeconds; t += training::MotionTrial::dt) {
     trial.walkStep(Vec2(walkSpeed, 0), 0);
     camera.look();
   }
@@ -103,7 +103,7 @@ std::string motionFilm(const training::Study& study, const Eigen::VectorXd& para
                         {"name", name},
                         {"type", type},
                         {"seconds", played},
-                        {"step", every * motion::MotionTrial::dt},
+                        {"step", every * training::MotionTrial::dt},
                         {"frames", camera.frames()}}
       .dump();
 }

@@ -24,10 +24,10 @@ void FootSelector::update(ActiveFoot* theActiveFoot) {
       nearest = &robot;
       least = distance;
     }
-    if (nearest) side += std::copysign(screens, left.dot(nearest->position - ball));
+    if (nearest) side += std::copysign(screenShift, left.dot(nearest->position - ball));
   }
-  if (side > stays) theActiveFoot->foot = Side::right;
-  if (side < -stays) theActiveFoot->foot = Side::left;
+  if (side > hysteresis) theActiveFoot->foot = Side::right;
+  if (side < -hysteresis) theActiveFoot->foot = Side::left;
 }
 
 }  // namespace plumbline

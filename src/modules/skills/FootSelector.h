@@ -16,11 +16,11 @@ MODULE(FootSelector)
   REQUIRES(BallPos)
   REQUIRES_IF_PROVIDED(OtherRobots)
   PROVIDES(ActiveFoot)
-  PARAMETER(double, stays, 0.03, "m", Range(0, 1),
+  PARAMETER(double, hysteresis, 0.03, "m", Range(0, 1),
             "the robot has to be this far on the other side of the ball's way before the foot changes")
   PARAMETER(double, opponentDistance, 0.8, "m", Range(0, 5),
             "an opponent this near to the ball is screened off")
-  PARAMETER(double, screens, 0.04, "m", Range(0, 1),
+  PARAMETER(double, screenShift, 0.04, "m", Range(0, 1),
             "then the robot counts as so much nearer to the side that the opponent is on")
 END_MODULE
 

@@ -2,7 +2,7 @@
 
 #include <cstdio>
 
-namespace plumbline::simulation::mujoco {
+namespace plumbline::servo::mujoco {
 namespace {
 
 std::string text(double x) {
@@ -127,4 +127,4 @@ std::string modelText(const Mechanism& robot, const ModelOptions& options) {
   return Writer(robot, options).run();
 }
 
-}  // namespace plumbline::simulation::mujoco
+}  // namespace plumbline::servo::mujoco

@@ -4,7 +4,7 @@
 
 #include "robot/Mechanism.h"
 
-namespace plumbline::simulation::mujoco {
+namespace plumbline::servo::mujoco {
 
 struct ModelOptions {
   bool freeBase = false;
@@ -22,4 +22,4 @@ struct ModelOptions {
 /// `imu.acc`, geoms `sole.<foot>`. No joint limits: commands keep away from them.
 std::string modelText(const Mechanism& robot, const ModelOptions& options);
 
-}  // namespace plumbline::simulation::mujoco
+}  // namespace plumbline::servo::mujoco

@@ -9,7 +9,7 @@
 #include "servo/FootSensors.h"
 #include "servo/mujoco/MujocoModel.h"
 
-namespace plumbline::simulation::mujoco {
+namespace plumbline::servo::mujoco {
 
 MAKE_ROBOT_SIMULATION("mujoco", MujocoRobot)
 
@@ -277,12 +277,12 @@ void MujocoRobot::step() {
 void MujocoRobot::update() {
   states_.resize(robot_.links.size());
   for (std::size_t i = 0; i < states_.size(); ++i) {
-    BodyState& state = states_[i];
+    simulation::BodyState& state = states_[i];
     state.pose = world_->pose(i);
     state.angularVelocity = Eigen::Map<const Vec3>(world_->data()->cvel + 6 * world_->body(i));
     state.linearVelocity = world_->velocity(i, state.pose.translation());
   }
-  const BodyState& carrier = link(robot_.imu.link);
+  const simulation::BodyState& carrier = link(robot_.imu.link);
   imuVelocity_ = carrier.linearVelocity +
                  carrier.angularVelocity.cross(carrier.pose.linear() * robot_.imu.accelerometer);
 }
@@ -297,7 +297,7 @@ void MujocoRobot::sense() {
     sensed_.velocity[j] = linkSide(j).speed;
     sensed_.torque[j] = torqueSum_[j] / stepsPerCycle_;
   }
-  const BodyState& carrier = link(robot_.imu.link);
+  const simulation::BodyState& carrier = link(robot_.imu.link);
   sensed_.gyro =
       (carrier.pose.linear() * rotationOfRpy(robot_.imu.rpy)).transpose() * carrier.angularVelocity;
   sensed_.footForce.clear();
@@ -322,4 +322,4 @@ std::vector<double> MujocoRobot::footForces(std::size_t index) const {
   return footSensorForces(foot, force.normal, centre);
 }
 
-}  // namespace plumbline::simulation::mujoco
+}  // namespace plumbline::servo::mujoco

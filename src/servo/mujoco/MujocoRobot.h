@@ -8,7 +8,7 @@
 #include "servo/mujoco/MujocoWorld.h"
 #include "servo/mujoco/SoftGround.h"
 
-namespace plumbline::simulation::mujoco {
+namespace plumbline::servo::mujoco {
 
 /// The engine "mujoco" for robots with position servos: MuJoCo's multi-body dynamics and contacts under the
 /// servo law of the Mechanism (ServoDrive), whose damping is solved with the step. Limits and dry friction
@@ -32,7 +32,9 @@ public:
   const ServoReadings& readings() const override { return sensed_; }
   double encoder(int joint) const override;
   double encoderSpeed(int joint) const override;
-  const BodyState& link(int index) const override { return states_.at(static_cast<std::size_t>(index)); }
+  const simulation::BodyState& link(int index) const override {
+    return states_.at(static_cast<std::size_t>(index));
+  }
   const Mechanism& mechanism() const override { return robot_; }
 
 private:
@@ -56,7 +58,7 @@ private:
   std::vector<double> loads_, stiffGear_;  ///< [N m]; of a gear's flanks as the step bears them [N m/rad]
   std::unique_ptr<World> world_;
   std::unique_ptr<SoftGround> ground_;  ///< null: the engine's own contacts
-  std::vector<BodyState> states_;
+  std::vector<simulation::BodyState> states_;
   ServoReadings sensed_;
   std::vector<double> torqueSum_;
   Vec3 imuVelocity_ = Vec3::Zero(), pushForce_ = Vec3::Zero();
@@ -64,4 +66,4 @@ private:
   long pushSteps_ = 0, cycles_ = 0;
 };
 
-}  // namespace plumbline::simulation::mujoco
+}  // namespace plumbline::servo::mujoco

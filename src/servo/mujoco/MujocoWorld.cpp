@@ -3,7 +3,7 @@
 #include <cstring>
 #include <stdexcept>
 
-namespace plumbline::simulation::mujoco {
+namespace plumbline::servo::mujoco {
 namespace {
 
 mjModel* load(const std::string& text) {
@@ -75,4 +75,4 @@ World::FootForce World::footForce(const std::string& foot, std::size_t link) con
   return result;
 }
 
-}  // namespace plumbline::simulation::mujoco
+}  // namespace plumbline::servo::mujoco

@@ -8,7 +8,7 @@
 #include "math/Types.h"
 #include "robot/Mechanism.h"
 
-namespace plumbline::simulation::mujoco {
+namespace plumbline::servo::mujoco {
 
 /// MuJoCo's model and state with the addresses of a robot's parts.
 class World {
@@ -43,4 +43,4 @@ private:
   std::vector<int> bodies_;
 };
 
-}  // namespace plumbline::simulation::mujoco
+}  // namespace plumbline::servo::mujoco

@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
-namespace plumbline::simulation::mujoco {
+namespace plumbline::servo::mujoco {
 
 SoftGround::SoftGround(const Mechanism& robot, double compliance, double friction, const Mat3& slope)
     : stiffness_(1 / std::max(compliance, 5e-6)), friction_(friction), up_(slope.col(2)) {
@@ -48,4 +48,4 @@ void SoftGround::update(Corner& corner, const Vec3& place, const Vec3& speed) {
   corner.force = side + corner.normal * up_;
 }
 
-}  // namespace plumbline::simulation::mujoco
+}  // namespace plumbline::servo::mujoco

@@ -3,7 +3,7 @@
 
 #include "robot/Mechanism.h"
 
-namespace plumbline::simulation::mujoco {
+namespace plumbline::servo::mujoco {
 
 /// Soft ground: a spring and a damper under each corner of each sole, and friction that sticks until it slips
 /// (Cundall and Strack 1979).
@@ -30,4 +30,4 @@ private:
   Vec3 up_;
 };
 
-}  // namespace plumbline::simulation::mujoco
+}  // namespace plumbline::servo::mujoco

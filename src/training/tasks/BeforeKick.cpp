@@ -8,13 +8,13 @@ constexpr int mostCyclesToStop = 100;
 constexpr double fallsOver = 0.5;  // tilt of the torso from which it does not come to a kick [rad]
 
 /// Walks somewhere near forward and stops, as before a kick in a game. False: fell or does not stop.
-bool walkUp(motion::MotionDriver& robot) {
+bool walkUp(MotionDriver& robot) {
   const Vec2 velocity(robot.random(-0.05, 0.35), robot.random(-0.1, 0.1));
   const double turn = robot.random(-0.4, 0.4), seconds = robot.random(0.8, 1.6);
   double time = 0;
   while (time < seconds) {
     robot.walkStep((1 - 0.7 * time / seconds) * velocity, turn);
-    time += motion::MotionDriver::dt;
+    time += MotionDriver::dt;
   }
   for (int i = 0; i < mostCyclesToStop; ++i)
     if (robot.walkStep(Vec2::Zero(), 0, false).standing) return !robot.lying() && robot.tilt() < fallsOver;
@@ -22,7 +22,7 @@ bool walkUp(motion::MotionDriver& robot) {
 }
 
 /// Stands and comes to rest from a lean of up to two degrees.
-bool sway(motion::MotionDriver& robot) {
+bool sway(MotionDriver& robot) {
   JointArray leaning = robot.stand;
   const double roll = robot.random(-0.035, 0.035), pitch = robot.random(-0.035, 0.035);
   for (const JointId joint : {lHipRoll, rHipRoll}) leaning[joint] += roll;
@@ -36,8 +36,6 @@ bool sway(motion::MotionDriver& robot) {
 
 }  // namespace
 
-bool comesToKick(motion::MotionDriver& robot) {
-  return robot.random(0, 1) < walkedUp ? walkUp(robot) : sway(robot);
-}
+bool comesToKick(MotionDriver& robot) { return robot.random(0, 1) < walkedUp ? walkUp(robot) : sway(robot); }
 
 }  // namespace plumbline::training

@@ -28,7 +28,7 @@ const Vec2 keeperPlace(-5, 0);      // nothing else stands near
 DiveTask::DiveTask(const DiveOptions& options)
     : worlds_(options.world), reaction_(options.reaction), from_(options.from), to_(options.to) {
   try {
-    const motion::MotionTrial& trial = worlds_.first();
+    const MotionTrial& trial = worlds_.first();
     parameters_ = std::make_unique<motion::MotionParameters>(trial.motion(options.motion), trial.model,
                                                              motion::Sides::apart);
   } catch (const std::out_of_range& error) {
@@ -37,7 +37,6 @@ DiveTask::DiveTask(const DiveOptions& options)
 }
 
 TaskOutcome DiveTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
-  using motion::MotionTrial;
   const motion::KeyframeMotion dive = parameters_->written(parameters, MotionTrial::dt);
   MotionTrial& trial = worlds_.of(seed);
   trial.seedStart(seed);
@@ -83,7 +82,7 @@ TaskOutcome DiveTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed)
 
 std::string DiveTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                            const std::map<std::string, double>&) const {
-  return motion::motionFile(parameters_->written(parameters, motion::MotionTrial::dt), worlds_.first().model,
+  return motion::motionFile(parameters_->written(parameters, MotionTrial::dt), worlds_.first().model,
                             heading);
 }
 

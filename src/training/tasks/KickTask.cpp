@@ -13,7 +13,7 @@
 namespace plumbline::training {
 namespace {
 
-constexpr double dt = motion::MotionTrial::dt;
+constexpr double dt = MotionTrial::dt;
 constexpr int cyclesToFly = 10;  // after the motion, before the ball goes on alone
 constexpr int mostStarts = 1000;
 constexpr double leastScatter = 0.01, leastSpread = 0.05;  // that a file may have [rad, m]
@@ -55,7 +55,7 @@ KickTask::KickTask(const KickOptions& options)
 const KickTask::Start& KickTask::start(std::uint64_t seed) {
   if (const auto found = started_.find(seed); found != started_.end()) return found->second;
   if (started_.size() >= startsKept) started_.clear();
-  motion::MotionTrial& trial = worlds_.of(seed);
+  MotionTrial& trial = worlds_.of(seed);
   for (int i = 0; i < mostStarts; ++i) {
     trial.seedStart(seed, i);
     trial.robot.restart(kickPlace, trial.stand);
@@ -74,7 +74,7 @@ const KickTask::Start& KickTask::start(std::uint64_t seed) {
 
 TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_t seed) {
   const Start from = start(seed);
-  motion::MotionTrial& trial = worlds_.of(seed);
+  MotionTrial& trial = worlds_.of(seed);
   simulation::LocalRobot& robot = trial.robot;
   robot.restart(from.torso.pose, from.angles);
   simulation::World& world = robot.world();

@@ -14,21 +14,11 @@
 namespace plumbline::training {
 namespace {
 
-using motion::MotionTrial;
-
 constexpr double longestWay = 40;  // for it [s]
 constexpr double near = 0.08;      // within this the robot is there [m]
 constexpr double turned = 0.2;     // and with its heading within this [rad]
 constexpr int cyclesThere = 15;    // 0.3 s
 const Vec3 farBall(-13, -9, simulation::WorldConfig().field.ballRadius);  // nobody walks into it [m]
-
-/// What is searched.
-constexpr SearchedPath walkNumbers[] = {
-    {"maxForward", 0.1},     {"maxBackward", 0.1},    {"maxSideways", 0.08}, {"maxTurn", 0.3},
-    {"positionGain", 0.3},   {"headingGain", 0.5},    {"nearDistance", 0.1}, {"turnFirst", 0.15},
-    {"sprintDistance", 0.3}, {"sprintBearing", 0.05}, {"sprintHold", 0.1},   {"sprintPassDistance", 0.1},
-    {"sprintTurn", 0.2},     {"sprintGain", 0.3},     {"alignSpeed", 0.15},  {"alignGain", 3},
-    {"curveSpeed", 0.1},     {"turnEffort", 0.12},    {"turnWalking", 0.25}};
 
 }  // namespace
 
@@ -39,7 +29,7 @@ MoveToPosTask::MoveToPosTask(const MoveToPosOptions& options, const ConfigFile& 
     : nearest_(options.nearest),
       farthest_(std::max(nearest_, options.farthest)),
       fall_(options.fall),
-      searched_(file.root().section("walk"), walkNumbers) {
+      searched_(file.root().section("walk"), firstSteps("moveToPos")) {
   if (file.root().has("plan"))
     readParameters(file.root().section("plan"), ApproachPlannerParameters::parameterList(), &plan_);
   std::string types = "all";

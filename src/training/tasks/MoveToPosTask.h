@@ -43,7 +43,7 @@ private:
   double nearest_, farthest_, fall_;  ///< options [m, m, s]
   SearchedGroup<WalkToPoseParameters> searched_;
   ApproachPlannerParameters plan_;
-  std::vector<std::unique_ptr<motion::MotionTrial>> robots_;  ///< one of each type
+  std::vector<std::unique_ptr<MotionTrial>> robots_;  ///< one of each type
 };
 
 }  // namespace plumbline::training

@@ -17,58 +17,13 @@
 namespace plumbline::training {
 namespace {
 
-using motion::MotionTrial;
-
 constexpr double mostSeconds = 20;      // for the way to the ball
 constexpr double mostPerMetre = 2;      // and so many more for each metre of it beyond `start` [s]
 constexpr double kickedSpeed = 0.3;     // of a ball that was kicked [m/s]
 constexpr double cameraOffset = 0.005;  // at most, in every image of a run, as the league's [m]
-constexpr double changesFoot = 0.03;    // FootSelector's `stays` [m]
+constexpr double changesFoot = 0.03;    // FootSelector's `hysteresis` [m]
 constexpr int cyclesAfter = 10;         // after the kick, before the ball goes on alone
 const Vec2 ballPlace(-6, 0);            // nothing stands in the way of a ball that is kicked from here [m]
-
-/// What is searched.
-constexpr SearchedPath searchedNumbers[] = {{"walk.maxForward", 0.1},
-                                            {"walk.maxBackward", 0.05},
-                                            {"walk.maxSideways", 0.05},
-                                            {"walk.maxTurn", 0.3},
-                                            {"walk.positionGain", 0.4},
-                                            {"walk.headingGain", 0.6},
-                                            {"walk.nearDistance", 0.1},
-                                            {"walk.turnFirst", 0.15},
-                                            {"walk.sprintBearing", 0.06},
-                                            {"walk.sprintHold", 0.1},
-                                            {"walk.sprintPassDistance", 0.1},
-                                            {"walk.sprintDistance", 0.3},
-                                            {"walk.sprintTurn", 0.2},
-                                            {"walk.sprintGain", 0.3},
-                                            {"walk.alignSpeed", 0.15},
-                                            {"walk.alignGain", 3},
-                                            {"walk.curveSpeed", 0.08},
-                                            {"walk.turnEffort", 0.1},
-                                            {"walk.turnWalking", 0.3},
-                                            {"approach.avoidRadius", 0.04},
-                                            {"approach.stepAngle", 0.2},
-                                            {"approach.behindAngle", 0.15},
-                                            {"plan.path.avoidRadius", 0.03},
-                                            {"plan.path.stepAngle", 0.1},
-                                            {"plan.path.behindAngle", 0.1},
-                                            {"plan.delay", 0.03},
-                                            {"plan.speedShare", 0.1},
-                                            {"plan.brakeShare", 0.1},
-                                            {"plan.brakeTime", 0.06},
-                                            {"plan.headingTime", 0.05},
-                                            {"plan.turnShare", 0.05},
-                                            {"plan.finalTurn", 0.15},
-                                            {"plan.switchGain", 0.03},
-                                            {"plan.ballCost", 1},
-                                            {"toleranceForward", 0.005},
-                                            {"toleranceSideways", 0.005},
-                                            {"toleranceHeading", 0.03},
-                                            {"leaveTolerances", 0.15},
-                                            {"biasGain", 0.4},
-                                            {"biasDistance", 0.03},
-                                            {"maxBias", 0.03}};
 
 /// The option `searched`: the way from afar, the last metres with how exactly the robot stands, everything,
 /// or the kick's place.
@@ -90,7 +45,7 @@ PositioningTask::PositioningTask(const PositioningOptions& options)
       metre_(options.metre),
       fall_(options.fall),
       searched_(ConfigFile("SkillGetBall", MotionTrial::directories(type_)).root().section("positioning"),
-                searchedNumbers, searchedPart(options.searched)) {
+                firstSteps("positioning"), searchedPart(options.searched)) {
   const MotionTrial& trial = worlds_.first();
   const std::string& name = options.motion;
   for (const motion::KeyframeMotion& motion : trial.motions) {

@@ -16,7 +16,7 @@ constexpr double walkSeconds = 2;
 constexpr int mostRolls = 3;
 
 /// As the agent: it rolls again where it still lies on a side.
-void standUpAfterRoll(motion::MotionTrial& trial, const motion::KeyframeMotion& roll) {
+void standUpAfterRoll(MotionTrial& trial, const motion::KeyframeMotion& roll) {
   trial.standUpChoice.forget();
   for (int i = 1; i < mostRolls && motion::lyingOn(trial.up()) == motion::LyingOn::side; ++i)
     trial.play(roll);
@@ -25,7 +25,7 @@ void standUpAfterRoll(motion::MotionTrial& trial, const motion::KeyframeMotion& 
 
 }  // namespace
 
-bool liesAs(const motion::MotionTrial& trial, int direction) {
+bool liesAs(const MotionTrial& trial, int direction) {
   const motion::LyingOn wanted = direction > 0   ? motion::LyingOn::front
                                  : direction < 0 ? motion::LyingOn::back
                                                  : motion::LyingOn::side;
@@ -48,13 +48,13 @@ StandUpTask::StandUpTask(const StandUpOptions& options)
   parameters_ = std::make_unique<motion::MotionParameters>(first_, worlds_.first().model);
 }
 
-bool StandUpTask::fits(const motion::MotionTrial& trial) const {
+bool StandUpTask::fits(const MotionTrial& trial) const {
   // A fall that ends otherwise, or on the feet, is another motion's. Limbs that overlap would freeze when the
   // motion begins.
   return liesAs(trial, direction_) && !trial.robot.overlaps() && !trial.robot.frozen().any();
 }
 
-bool StandUpTask::falls(motion::MotionTrial& trial, std::uint64_t seed) const {
+bool StandUpTask::falls(MotionTrial& trial, std::uint64_t seed) const {
   // seed % count says which world, so the quotient says which fall: both happen in all worlds.
   if (moving_ && seed / worlds_.count() % 2 == 1) return trial.stumble(direction_);
   return trial.fall(direction_);
@@ -63,7 +63,7 @@ bool StandUpTask::falls(motion::MotionTrial& trial, std::uint64_t seed) const {
 const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
   if (const auto found = fallen_.find(seed); found != fallen_.end()) return found->second;
   if (fallen_.size() >= mostKept) fallen_.clear();
-  motion::MotionTrial& trial = worlds_.of(seed);
+  MotionTrial& trial = worlds_.of(seed);
   for (int i = 0; i < mostFalls; ++i) {
     trial.seedStart(seed, i);
     if (!falls(trial, seed) || !fits(trial)) continue;
@@ -76,7 +76,7 @@ const StandUpTask::Lying& StandUpTask::lying(std::uint64_t seed) {
 
 TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::uint64_t seed) {
   const Lying start = lying(seed);
-  motion::MotionTrial& trial = worlds_.of(seed);
+  MotionTrial& trial = worlds_.of(seed);
   trial.begin(start);
   trial.seedRun(seed);
   trial.elapsed = 0;
@@ -93,12 +93,12 @@ TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::ui
 }
 
 TaskOutcome StandUpTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
-  return tryMotion(parameters_->written(parameters, motion::MotionTrial::dt), seed);
+  return tryMotion(parameters_->written(parameters, MotionTrial::dt), seed);
 }
 
 std::string StandUpTask::file(const Eigen::VectorXd& parameters, const std::string& heading,
                               const std::map<std::string, double>&) const {
-  return motion::motionFile(parameters_->written(parameters, motion::MotionTrial::dt), worlds_.first().model,
+  return motion::motionFile(parameters_->written(parameters, MotionTrial::dt), worlds_.first().model,
                             heading);
 }
 

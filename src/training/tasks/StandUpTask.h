@@ -33,7 +33,7 @@ struct StandUpOptions {
 };
 
 /// The robot lies on its front (1), back (-1) or a side (0).
-bool liesAs(const motion::MotionTrial& trial, int direction);
+bool liesAs(const MotionTrial& trial, int direction);
 
 /// Standing up in the embedded simulator: Seekircher 2015, 3.1.1. In a run the robot lies as it fell (the
 /// seed says how; not with limbs that overlap, which would freeze), plays the motion, and then walks into
@@ -56,11 +56,11 @@ public:
   const motion::KeyframeMotion& first() const { return first_; }
 
 private:
-  using Lying = motion::MotionTrial::State;
+  using Lying = MotionTrial::State;
   const Lying& lying(std::uint64_t seed);
   /// The robot lies as this task wants it.
-  bool fits(const motion::MotionTrial& trial) const;
-  bool falls(motion::MotionTrial& trial, std::uint64_t seed) const;
+  bool fits(const MotionTrial& trial) const;
+  bool falls(MotionTrial& trial, std::uint64_t seed) const;
 
   const int direction_;  ///< 1: on the front, -1: on the back, 0: on a side
   const double weight_, still_;

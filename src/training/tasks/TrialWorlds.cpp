@@ -40,7 +40,7 @@ TrialWorlds::TrialWorlds(const WorldOptions& options) : engine_(options.robot.en
   try {
     for (int draw = first; draw < first + std::max(1, draws); ++draw) {
       world.effects = draws > 0 ? drawn(effects, draw) : effects;
-      all_.push_back(std::make_unique<motion::MotionTrial>(type, world));
+      all_.push_back(std::make_unique<MotionTrial>(type, world));
     }
   } catch (const std::invalid_argument& error) {  // an engine that there is not
     throw ConfigurationError(std::string("option engine: ") + error.what());

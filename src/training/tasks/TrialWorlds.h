@@ -43,14 +43,14 @@ public:
   explicit TrialWorlds(const WorldOptions& options);
 
   /// Of the run with this seed.
-  motion::MotionTrial& of(std::uint64_t seed) { return *all_[static_cast<std::size_t>(seed % all_.size())]; }
-  const motion::MotionTrial& first() const { return *all_[0]; }
+  MotionTrial& of(std::uint64_t seed) { return *all_[static_cast<std::size_t>(seed % all_.size())]; }
+  const MotionTrial& first() const { return *all_[0]; }
   std::size_t count() const { return all_.size(); }
   const std::string& engine() const { return engine_; }
 
 private:
   std::string engine_;
-  std::vector<std::unique_ptr<motion::MotionTrial>> all_;
+  std::vector<std::unique_ptr<MotionTrial>> all_;
 };
 
 }  // namespace plumbline::training

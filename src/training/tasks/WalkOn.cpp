@@ -13,8 +13,7 @@ constexpr double leaning = 30 * pi / 180;          // [rad], of the thesis's mea
 
 }  // namespace
 
-WalkOn::WalkOn(motion::MotionDriver& driver, double seconds, double still)
-    : driver_(driver), seconds_(seconds) {
+WalkOn::WalkOn(MotionDriver& driver, double seconds, double still) : driver_(driver), seconds_(seconds) {
   const double way = driver.random(-pi, pi);
   turn_ = driver.random(-walkTurn, walkTurn);
   velocity_ = walkSpeed * Vec2(std::cos(way), std::sin(way));
@@ -29,13 +28,13 @@ void WalkOn::begin(const JointArray& from, double fadeSeconds) {
   driver_.beginWalk();
 }
 
-bool WalkOn::isOver() const { return cycles_ * motion::MotionDriver::dt >= seconds_; }
+bool WalkOn::isOver() const { return cycles_ * MotionDriver::dt >= seconds_; }
 
 bool WalkOn::upright() const { return driver_.tilt() < leaning; }
 
 void WalkOn::step() {
   JointArray targets = stands_ ? driver_.stand : driver_.walkOutput(velocity_, turn_).angles;
-  const double time = ++cycles_ * motion::MotionDriver::dt;
+  const double time = ++cycles_ * MotionDriver::dt;
   if (time < fade_)
     for (std::size_t j = 0; j < maxJoints; ++j)
       targets[j] = from_[j] + time / fade_ * (targets[j] - from_[j]);

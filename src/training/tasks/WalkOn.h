@@ -10,7 +10,7 @@ public:
   static constexpr double afterKick = 0.06;  ///< WalkingEngine's fade into the walk [s]
 
   /// Draws direction, turn and, where `still` is above 0, whether it stands from the driver's generator.
-  explicit WalkOn(motion::MotionDriver& driver, double seconds = 2, double still = 0);
+  explicit WalkOn(MotionDriver& driver, double seconds = 2, double still = 0);
   /// Begins at these targets and fades into the walk's [s]; 0: at once. Into the stand it fades as
   /// StandMotion does.
   void begin(const JointArray& from, double fadeSeconds = 0);
@@ -23,7 +23,7 @@ public:
   bool upright() const;
 
 private:
-  motion::MotionDriver& driver_;
+  MotionDriver& driver_;
   double seconds_;
   Vec2 velocity_;
   double turn_;

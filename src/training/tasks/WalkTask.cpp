@@ -14,16 +14,16 @@ namespace {
 
 constexpr double firstSigma = 0.5;  ///< of the first candidates, in first steps of the variables
 
-walking::Task directionOf(const std::string& name) {
-  const auto found = std::ranges::find(walking::taskNames, name);
-  if (found == walking::taskNames.end())
+Task directionOf(const std::string& name) {
+  const auto found = std::ranges::find(taskNames, name);
+  if (found == taskNames.end())
     throw ConfigurationError(
-        fmt::format("option direction: \"{}\" is not one of {}", name, fmt::join(walking::taskNames, ", ")));
-  return static_cast<walking::Task>(found - walking::taskNames.begin());
+        fmt::format("option direction: \"{}\" is not one of {}", name, fmt::join(taskNames, ", ")));
+  return static_cast<Task>(found - taskNames.begin());
 }
 
 /// "forward_step_height": without dots, which in a file would be maps within maps.
-std::string nameOf(const walking::Variable& variable) {
+std::string nameOf(const Variable& variable) {
   std::string name = (variable.section.empty() ? "" : variable.section + "_") + variable.parameter->path;
   std::ranges::replace(name, '.', '_');
   return name;
@@ -32,14 +32,14 @@ std::string nameOf(const walking::Variable& variable) {
 }  // namespace
 
 WalkTask::WalkTask(const WalkOptions& options)
-    : task_(directionOf(options.direction)), variables_(walking::variablesOf(task_)) {
+    : task_(directionOf(options.direction)), variables_(variablesOf(task_)) {
   const int type = checkedType(options.robot.type);
   trial_.tries = 1;
   trial_.seconds = options.seconds;
   trial_.push = options.push;
-  first_ = walking::readWalkGaits(type);
-  for (const walking::Variable& variable : variables_) {
-    const double start = walking::valueOf(first_, variable), step = variable.step;
+  first_ = readLeagueGaits(type);
+  for (const Variable& variable : variables_) {
+    const double start = valueOf(first_, variable), step = variable.step;
     // A value on its bound may still move a little.
     parameters_.push_back(
         {nameOf(variable), start, std::min(start - 0.1 * step, variable.parameter->declared->range.min),
@@ -49,7 +49,7 @@ WalkTask::WalkTask(const WalkOptions& options)
   world.engine = options.robot.engine;
   if (!options.robot.effects.empty()) world.effects = simulation::readEffects(options.robot.effects);
   try {
-    robot_ = std::make_unique<walking::WalkingRobot>(type, first_, world);
+    robot_ = std::make_unique<WalkingRobot>(type, first_, world);
   } catch (const std::invalid_argument& error) {  // an engine that there is not
     throw ConfigurationError(std::string("option engine: ") + error.what());
   }
@@ -64,17 +64,17 @@ walking::WalkGaits WalkTask::gaits(const Eigen::VectorXd& parameters) const {
     const double value = parameters[static_cast<Eigen::Index>(i)];
     // What follows a value, as a step's shortest duration does, stays as the file has it where the value
     // does.
-    if (value != parameters_[i].start) walking::setValue(result, variables_[i], value);
+    if (value != parameters_[i].start) setValue(result, variables_[i], value);
   }
   return result;
 }
 
 TaskOutcome WalkTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
-  walking::TrialSetup trial = trial_;
+  TrialSetup trial = trial_;
   trial.seed = seed;
-  const walking::TrialResult result = walking::tryWalk(*robot_, gaits(parameters), task_, trial);
+  const TrialResult result = tryWalk(*robot_, gaits(parameters), task_, trial);
   TaskOutcome outcome;
-  outcome.cost = walking::cost(task_, result);
+  outcome.cost = cost(task_, result);
   outcome.figures = {{"speed", result.speed}, {"falls", result.falls}, {"drift", result.drift}};
   return outcome;
 }
@@ -83,7 +83,7 @@ std::string WalkTask::file(const Eigen::VectorXd& parameters, const std::string&
                            const std::map<std::string, double>&) const {
   std::string line = heading;
   std::ranges::replace(line, '\n', ' ');  // walkFile's heading is one line
-  return walking::walkFile(gaits(parameters), walking::plainWalk().base, line);
+  return walkFile(gaits(parameters), plainWalk().base, line);
 }
 
 MAKE_TASK(WalkTask, "walk", "a walk at full speed")

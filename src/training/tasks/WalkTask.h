@@ -13,16 +13,16 @@ namespace plumbline::training {
 /// Options of the task walk.
 struct WalkOptions {
   PARAMETERS(WalkOptions)
-  PARAMETER(std::string, direction, std::string(walking::taskNames[0]), "", Range(),
+  PARAMETER(std::string, direction, std::string(taskNames[0]), "", Range(),
             "forward, backward, sideways, turn, mixture (any requests) or push")
-  PARAMETER(double, seconds, walking::TrialSetup().seconds, "s", Range(2, 600), "length of a try")
-  PARAMETER(double, push, walking::TrialSetup().push, "m/s", Range(0, 3), "largest speed of a push")
+  PARAMETER(double, seconds, TrialSetup().seconds, "s", Range(2, 600), "length of a try")
+  PARAMETER(double, push, TrialSetup().push, "m/s", Range(0, 3), "largest speed of a push")
   PARAMETER_GROUP(RobotOptions, robot, "robot and what its world is")
 };
 
 /// The walk of a robot type in one direction at full speed, any mixture of requests, or under pushes: what
 /// bin/optimizewalk searches on one machine, as a task of the server. A run is one try, its cost
-/// walking::cost. The file is the type's walking.yaml.
+/// cost. The file is the type's walking.yaml.
 /// Figures: speed, falls, drift (TrialResult).
 class WalkTask : public SearchTask {
 public:
@@ -38,12 +38,12 @@ public:
 private:
   walking::WalkGaits gaits(const Eigen::VectorXd& parameters) const;
 
-  walking::Task task_;
-  walking::TrialSetup trial_;
+  Task task_;
+  TrialSetup trial_;
   walking::WalkGaits first_;
-  std::vector<walking::Variable> variables_;
+  std::vector<Variable> variables_;
   std::vector<TaskParameter> parameters_;
-  std::unique_ptr<walking::Walker> robot_;
+  std::unique_ptr<Walker> robot_;
 };
 
 }  // namespace plumbline::training

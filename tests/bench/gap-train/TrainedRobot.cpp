@@ -22,7 +22,7 @@ namespace plumbline::bench {
 
 namespace fs = std::filesystem;
 using namespace gap;
-using walking::TrialResult;
+using training::TrialResult;
 
 namespace {
 
@@ -136,12 +136,12 @@ std::vector<TrialResult> TrainBench::measure(const walking::WalkGaits& walk, con
   std::vector<TrialResult> results(tries);
   parallel(results.size(), static_cast<int>(setup_.jobs), [&](std::size_t i) {
     const auto robot = walkerWith("bullet", mechanism_, walk, effects);
-    walking::TrialSetup trial;
+    training::TrialSetup trial;
     // The searches' own seeds are below 100 million.
     trial.seed = 1'000'000'000 + setup_.seed * 100'000 + first + i;
     trial.tries = 1;
     trial.seconds = 6;
-    results[i] = walking::tryWalk(*robot, walk, walking::Task::forward, trial);
+    results[i] = training::tryWalk(*robot, walk, training::Task::forward, trial);
   });
   return results;
 }

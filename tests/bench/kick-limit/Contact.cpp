@@ -36,10 +36,10 @@ double footSpeed(simulation::LocalRobot& robot, const Vec3& ball, const Vec2& fo
   return speed;
 }
 
-double jointsAtLimit(const motion::MotionTrial& trial, const JointArray& before) {
+double jointsAtLimit(const training::MotionTrial& trial, const JointArray& before) {
   int fast = 0, all = 0;
   for (const JointId joint : {rHipPitch, rKneePitch, rAnklePitch}) {
-    const double rate = (trial.robot.sense().angle[joint] - before[joint]) / motion::MotionDriver::dt;
+    const double rate = (trial.robot.sense().angle[joint] - before[joint]) / training::MotionDriver::dt;
     ++all;
     fast += std::abs(rate) > nearLimit * trial.model.linkMovedBy(joint).maxSpeed;
   }
@@ -48,7 +48,7 @@ double jointsAtLimit(const motion::MotionTrial& trial, const JointArray& before)
 
 }  // namespace
 
-Contact kickContact(motion::MotionTrial& trial, const std::string& motion, double spread, unsigned seed) {
+Contact kickContact(training::MotionTrial& trial, const std::string& motion, double spread, unsigned seed) {
   for (int draw = 0; draw < 1000; ++draw) {
     trial.seedStart(seed, draw);
     trial.robot.restart(training::kickPlace, trial.stand);
@@ -73,7 +73,7 @@ Contact kickContact(motion::MotionTrial& trial, const std::string& motion, doubl
   while (after < cyclesAfter) {
     JointArray targets = trial.stand;
     if (!trial.player.finished()) {
-      trial.player.step(motion::MotionDriver::dt, still);
+      trial.player.step(training::MotionDriver::dt, still);
       targets = trial.player.angles();
     } else if (!contact.touched) {
       break;

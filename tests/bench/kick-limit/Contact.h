@@ -18,6 +18,6 @@ struct Contact {
 
 /// One kick of a standing robot by this motion with the right foot, the ball within `spread` of its place
 /// [m].
-Contact kickContact(motion::MotionTrial& trial, const std::string& motion, double spread, unsigned seed);
+Contact kickContact(training::MotionTrial& trial, const std::string& motion, double spread, unsigned seed);
 
 }  // namespace plumbline::bench

@@ -121,7 +121,7 @@ int main(int argc, char** argv) {
       "| distance [m] | best [m] | needed [m/s] |\n|---|---|---|---|---|---|---|---|---|---|---|---|\n",
       starts, tries, 1e3 * spread);
   for (int type = 0; type < numSimsparkTypes(); ++type) {
-    motion::MotionTrial trial(type);
+    training::MotionTrial trial(type);
     const FastestFoot fastest = fastestFoot(trial.model, starts, 1);
     std::vector<double> foot, speed, elevation, spin, ratio, distance, highest, factor;
     double atLimit = 0;

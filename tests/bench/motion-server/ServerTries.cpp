@@ -12,14 +12,14 @@
 namespace plumbline::bench {
 namespace {
 
-constexpr double dt = motion::MotionDriver::dt;
+constexpr double dt = training::MotionDriver::dt;
 constexpr int mostDraws = 50;       // until a start is as wanted
 constexpr double spread = 0.01;     // of the ball's place [m]
 constexpr double mostRolling = 20;  // [s]
 constexpr double restSpeed = 0.02;  // [m/s]
 constexpr int look = 10;            // cycles between two looks at whether the ball rests
 
-bool walksOn(motion::ServerTrial& trial, double fadeSeconds, const std::function<void()>& each) {
+bool walksOn(training::ServerTrial& trial, double fadeSeconds, const std::function<void()>& each) {
   training::WalkOn walk(trial);
   walk.begin(trial.player.angles(), fadeSeconds);
   while (!walk.isOver()) {
@@ -31,7 +31,7 @@ bool walksOn(motion::ServerTrial& trial, double fadeSeconds, const std::function
 
 }  // namespace
 
-StandUpTries tryStandUp(motion::ServerTrial& trial, const std::string& name, int direction, int tries,
+StandUpTries tryStandUp(training::ServerTrial& trial, const std::string& name, int direction, int tries,
                         std::uint64_t firstSeed, const Progress& progress) {
   const motion::KeyframeMotion motion = trial.motion(name);
   StandUpTries result;
@@ -52,7 +52,7 @@ StandUpTries tryStandUp(motion::ServerTrial& trial, const std::string& name, int
   return result;
 }
 
-KickTries tryKick(motion::ServerTrial& trial, const std::string& name, int tries, std::uint64_t firstSeed,
+KickTries tryKick(training::ServerTrial& trial, const std::string& name, int tries, std::uint64_t firstSeed,
                   const Progress& progress) {
   const motion::KeyframeMotion kick = trial.motion(name);
   KickTries result;

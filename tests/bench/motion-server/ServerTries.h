@@ -23,10 +23,10 @@ using Progress = std::function<void()>;
 
 /// Falls forward or backward, plays the motion and walks on (Seekircher 2015, 3.1.1). direction: 1 forward,
 /// -1 backward.
-StandUpTries tryStandUp(motion::ServerTrial& trial, const std::string& motion, int direction, int tries,
+StandUpTries tryStandUp(training::ServerTrial& trial, const std::string& motion, int direction, int tries,
                         std::uint64_t firstSeed, const Progress& progress);
 /// Comes to rest before a ball that lies within 1 cm of where the kick wants it, kicks, and walks on.
-KickTries tryKick(motion::ServerTrial& trial, const std::string& motion, int tries, std::uint64_t firstSeed,
+KickTries tryKick(training::ServerTrial& trial, const std::string& motion, int tries, std::uint64_t firstSeed,
                   const Progress& progress);
 
 }  // namespace plumbline::bench

@@ -60,7 +60,7 @@ double deviationOf(const std::vector<double>& values) {
   return std::sqrt(sum / static_cast<double>(values.size()));
 }
 
-bool has(const motion::ServerTrial& trial, const std::string& motion) {
+bool has(const training::ServerTrial& trial, const std::string& motion) {
   return std::ranges::any_of(trial.motions, [&](const auto& of) { return of.name == motion; });
 }
 
@@ -71,7 +71,7 @@ public:
 
   /// All motions of a type; what is measured is written after each of them.
   void add(const std::string& server, const training::ServerAddress& address, int type) {
-    motion::ServerTrial trial(type, address);
+    training::ServerTrial trial(type, address);
     for (const auto& [motion, direction] : {std::pair{"standUpFront", 1},
                                             {"standUpFrontFast", 1},
                                             {"standUpBack", -1},
@@ -97,7 +97,7 @@ private:
                                                   textOf(stands_) + kickHead + textOf(kicks_) + "\n");
   }
 
-  void standUp(const std::string& server, motion::ServerTrial& trial, int type, const std::string& motion,
+  void standUp(const std::string& server, training::ServerTrial& trial, int type, const std::string& motion,
                int direction) {
     const StandUpTries of =
         tryStandUp(trial, motion, direction, tries_, seed_, progress(server, type, motion));
@@ -108,7 +108,7 @@ private:
     write();
   }
 
-  void kick(const std::string& server, motion::ServerTrial& trial, int type, const std::string& motion) {
+  void kick(const std::string& server, training::ServerTrial& trial, int type, const std::string& motion) {
     const KickTries of = tryKick(trial, motion, tries_, seed_, progress(server, type, motion));
     kicks_[{type, motion, server}] =
         fmt::format("| {} | {} | {} | {:.2f} ± {:.2f} | {:.1f} ± {:.1f} | {:.2f} | {} |\n", type, motion,

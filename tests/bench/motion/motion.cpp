@@ -15,6 +15,7 @@ namespace {
 
 using namespace plumbline;
 using namespace plumbline::motion;
+using namespace plumbline::training;
 
 class Report {
 public:

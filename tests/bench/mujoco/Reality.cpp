@@ -17,10 +17,10 @@ namespace plumbline::reality {
 namespace {
 
 using gap::ChannelKind;
-using simulation::mujoco::ModelOptions;
-using simulation::mujoco::modelText;
-using simulation::mujoco::SoftGround;
-using simulation::mujoco::World;
+using servo::mujoco::ModelOptions;
+using servo::mujoco::modelText;
+using servo::mujoco::SoftGround;
+using servo::mujoco::World;
 
 double valueOf(const std::vector<RealityEffect>& effects, const char* id, double nominal) {
   for (const RealityEffect& e : effects)

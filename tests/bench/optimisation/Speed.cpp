@@ -64,7 +64,7 @@ TaskSpeed speedOf(const std::string& name, const std::map<std::string, std::stri
 }
 
 CycleTimes cycleTimes(int type, int cycles) {
-  motion::MotionTrial trial(type);
+  training::MotionTrial trial(type);
   trial.beginWalk();
   CycleTimes times;
   for (int i = 0; i < cycles; ++i) {

@@ -14,6 +14,7 @@ namespace plumbline::bench {
 namespace {
 
 using namespace walking;
+using namespace training;
 
 constexpr double cycle = 0.02;
 using Style = Series::Style;

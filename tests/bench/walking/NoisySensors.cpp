@@ -11,7 +11,7 @@ constexpr double gyroNoise = 0.005, accNoise = 0.06, forceNoise = 0.15;         
 
 }  // namespace
 
-NoisySensors::NoisySensors(std::unique_ptr<simulation::RobotSimulation> robot) : robot_(std::move(robot)) {
+NoisySensors::NoisySensors(std::unique_ptr<servo::RobotSimulation> robot) : robot_(std::move(robot)) {
   sense();
 }
 

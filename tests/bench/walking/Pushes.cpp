@@ -12,6 +12,7 @@ namespace plumbline::bench {
 namespace {
 
 using namespace walking;
+using namespace training;
 
 constexpr const char* directions[] = {"from behind", "from the left", "from the front", "from the right"};
 const Vec2 along[] = {Vec2(1, 0), Vec2(0, -1), Vec2(-1, 0), Vec2(0, 1)};

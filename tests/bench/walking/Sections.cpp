@@ -24,7 +24,7 @@ const std::string& thisProgram() {
 }
 
 std::string fileOf(const BenchSetup& setup, const LongPart& part) {
-  const std::string walk = walking::walkFile(part.robot.gaits, {}, "");
+  const std::string walk = training::walkFile(part.robot.gaits, {}, "");
   const std::string key = fmt::format("{} {} {} {} {} {} {}", thisProgram(), setup.seeds, setup.minutes,
                                       setup.tries, part.robot.name, part.what, walk);
   return setup.parts + "/" + gap::sha256(key).substr(0, 20) + ".json";

@@ -8,6 +8,7 @@ namespace plumbline::bench {
 namespace {
 
 using namespace walking;
+using namespace training;
 
 constexpr double enough = 9;
 constexpr int lanes = 40;  ///< 0.1 m apart, from the field's side to its goals

@@ -30,7 +30,7 @@ struct Observed {
 /// Follows a robot from step to step.
 class StepWatch {
 public:
-  explicit StepWatch(walking::Walker& robot) : robot_(robot) {}
+  explicit StepWatch(training::Walker& robot) : robot_(robot) {}
 
   void cycle();
   /// The means.
@@ -39,7 +39,7 @@ public:
 private:
   void add(const walking::ObservedStep& step);
 
-  walking::Walker& robot_;
+  training::Walker& robot_;
   Observed result_;
   walking::Support support_ = walking::Support::both;
   std::optional<Pose2> planned_;
@@ -67,7 +67,7 @@ struct FittedWalk {
 
 /// Walks as asked while the model is fitted to it, twice 20 s; the parameters that came of it. errors: the
 /// least error after each generation of the first fit; steps: some that it was fitted to.
-FittedWalk optimise(walking::Walker& robot, const Requests& requests, std::vector<double>* errors = nullptr,
+FittedWalk optimise(training::Walker& robot, const Requests& requests, std::vector<double>* errors = nullptr,
                     std::vector<walking::ObservedStep>* steps = nullptr);
 
 /// 0.15 m/s forward and backward, changed every 3 s.

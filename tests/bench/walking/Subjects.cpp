@@ -15,13 +15,14 @@ namespace plumbline::bench {
 namespace {
 
 using namespace walking;
+using namespace training;
 
 Subject leagueRobot(int type, bool plain) {
   // Sustained forward speed of the better of two teams' published agents on the league's server.
   const double peer[] = {0.83, 0.79, 0.87, 0.82, 0.85};
   Subject subject;
   subject.name = fmt::format("type{}{}", type, plain ? "_plain" : "");
-  subject.gaits = plain ? plainWalk() : readWalkGaits(type);
+  subject.gaits = plain ? plainWalk() : readLeagueGaits(type);
   subject.make = [type](const WalkGaits& gaits) { return std::make_unique<WalkingRobot>(type, gaits); };
   subject.peer = "FC Portugal codebase 2024-10";
   subject.peerForward = peer[type];
@@ -51,7 +52,7 @@ Subject nao(const std::string& engine) {
     const Mechanism robot = findMechanism("nao_v5");
     if (engine == "bullet") return std::make_unique<ServoWalker>(robot, gaits);
     return std::make_unique<ServoWalker>(
-        robot, gaits, std::make_unique<NoisySensors>(simulation::RobotSimulations::make("mujoco", robot)));
+        robot, gaits, std::make_unique<NoisySensors>(servo::RobotSimulations::make("mujoco", robot)));
   };
   subject.walkingSpeed = 0.15;
   subject.peer = "B-Human, NAO";

@@ -12,7 +12,7 @@ namespace plumbline::bench {
 struct Subject {
   std::string name;  ///< type0 .. type4, type0_plain, type3_plain, nao-bullet, nao-mujoco; "@server"
   walking::WalkGaits gaits;
-  std::function<std::unique_ptr<walking::Walker>(const walking::WalkGaits&)> make;
+  std::function<std::unique_ptr<training::Walker>(const walking::WalkGaits&)> make;
   double walkingSpeed = 0.3;  ///< forward, while it is pushed [m/s]
   bool onServer = false;      ///< a SimSpark server's: not to be pushed, and its true pose is coarse
   std::string peer;           ///< whose forward speed stands beside its own
@@ -20,7 +20,7 @@ struct Subject {
   /// Targets: those of the league's robots, or what the NAO's own teams walk.
   double forward = 1.0, backward = 0.6, sideways = 0.5, turn = 120;  ///< [m/s, deg/s]
 
-  std::unique_ptr<walking::Walker> walker() const { return make(gaits); }
+  std::unique_ptr<training::Walker> walker() const { return make(gaits); }
 };
 
 /// All robots that the benchmark knows, in the order of its tables.

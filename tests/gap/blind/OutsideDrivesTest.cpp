@@ -11,14 +11,14 @@
 namespace plumbline::gap {
 namespace {
 
-simulation::BulletRobot onFixedBase(const Mechanism& arm, const std::vector<double>& q) {
-  simulation::RobotSimulationOptions config;
+servo::BulletRobot onFixedBase(const Mechanism& arm, const std::vector<double>& q) {
+  servo::RobotSimulationOptions config;
   config.fixedBase = true;
   config.stepSeconds = 0.0005;
   for (const Mechanism::Joint& joint : arm.joints) config.drives.push_back(JointPlant::nominal(joint));
   Mechanism fine = arm;
   fine.controlHz = 2000;
-  simulation::BulletRobot world(fine, config);
+  servo::BulletRobot world(fine, config);
   world.restart(Pose3::Identity(), q);
   return world;
 }
@@ -27,7 +27,7 @@ simulation::BulletRobot onFixedBase(const Mechanism& arm, const std::vector<doub
 std::vector<double> commanded(const BlindEffect& effect, const std::vector<double>& q,
                               const std::vector<double>& asked, double time = 0, int slices = 1) {
   const Mechanism arm = twoJointArm();
-  simulation::BulletRobot world = onFixedBase(arm, q);
+  servo::BulletRobot world = onFixedBase(arm, q);
   OutsideDrives drives(arm, {effect});
   drives.start({0.1, 0.1});
   std::vector<double> targets;
@@ -59,7 +59,7 @@ TEST(OutsideDrives, aGainThatFallsStepsAnIntegralAndANeighbour) {
 /// Where the elbow comes to rest, told to go there from where it hangs straight down within 2 s.
 double rest(const BlindEffect& effect, double target) {
   const Mechanism arm = twoJointArm();
-  simulation::BulletRobot world = onFixedBase(arm, {0, 0});
+  servo::BulletRobot world = onFixedBase(arm, {0, 0});
   OutsideDrives drives(arm, {effect});
   drives.start({0, 0});
   for (int i = 0; i < 8000; ++i) {
@@ -88,7 +88,7 @@ TEST(OutsideDrives, springsPullAndRipplesShift) {
 TEST(OutsideDrives, dampingInOneDirectionSlowsThatOne) {
   const Mechanism arm = twoJointArm();
   const auto after = [&arm](double value, double target) {
-    simulation::BulletRobot world = onFixedBase(arm, {0, 0});
+    servo::BulletRobot world = onFixedBase(arm, {0, 0});
     OutsideDrives drives(arm, {{"asymmetric_damping", "elbow", "", value, {}}});
     drives.start({0, 0});
     for (int i = 0; i < 100; ++i) {

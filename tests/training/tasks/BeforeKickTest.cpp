@@ -8,7 +8,7 @@ namespace plumbline::training {
 namespace {
 
 TEST(BeforeKick, aRobotComesToRestAfterAWalkOrASway) {
-  motion::MotionTrial trial(4);
+  MotionTrial trial(4);
   int came = 0, walked = 0;
   for (unsigned seed = 1; seed <= 20; ++seed) {
     trial.robot.restart(Pose2(), trial.stand);

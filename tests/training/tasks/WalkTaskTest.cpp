@@ -24,11 +24,10 @@ Eigen::VectorXd walkStart(const SearchTask& task) {
 TEST(WalkTask, theStartIsTheTypesWalk) {
   WalkTask task(TaskOptions(Options{{"type", "3"}, {"seconds", "4"}}).as<WalkOptions>());
   const TaskOutcome outcome = task.run(walkStart(task), 1);
-  walking::WalkingRobot robot(3);
-  const walking::TrialSetup trial{.seed = 1, .tries = 1, .seconds = 4};
-  const walking::TrialResult wanted =
-      walking::tryWalk(robot, walking::readWalkGaits(3), walking::Task::forward, trial);
-  EXPECT_EQ(outcome.cost, walking::cost(walking::Task::forward, wanted));
+  WalkingRobot robot(3);
+  const TrialSetup trial{.seed = 1, .tries = 1, .seconds = 4};
+  const TrialResult wanted = tryWalk(robot, readLeagueGaits(3), Task::forward, trial);
+  EXPECT_EQ(outcome.cost, cost(Task::forward, wanted));
   EXPECT_EQ(outcome.figures[0], (std::pair<std::string, double>("speed", wanted.speed)));
   EXPECT_GT(wanted.speed, 0.3);
 }
@@ -56,8 +55,8 @@ TEST(WalkTask, itsFileIsTheWalkOfTheParameters) {
   std::ofstream(folder + "/walking.yaml") << task.file(x, "Found.\nBy a test.", {});
   const ConfigFile file("walking", {configFolder(), folder});
   const walking::WalkGaits read = walking::readWalkGaits(file.root());
-  const walking::Variable variable = walking::variablesOf(walking::Task::turn)[0];
-  EXPECT_NEAR(walking::valueOf(read, variable), x[0], 1e-4);
+  const Variable variable = variablesOf(Task::turn)[0];
+  EXPECT_NEAR(valueOf(read, variable), x[0], 1e-4);
   std::filesystem::remove_all(folder);
 }
 

@@ -83,12 +83,12 @@ TEST_F(Driver, theTorsosAnglesFollowGravityWithinSecondsAndNotWithinCycles) {
 /// The torques that hold the robot, told by statics, are those that the servos are found to give.
 TEST_F(Driver, loadIsWhatTheServosCarry) {
   const WalkOutput output = standing();
-  simulation::BulletRobot world(nao);
+  servo::BulletRobot world(nao);
   const std::vector<double> posture = driver.humanoid().toMechanism(output.angles);
   world.restart(posture);
   world.command(posture);
   for (int i = 0; i < 200; ++i) world.step();
-  const simulation::ServoReadings& r = world.readings();
+  const servo::ServoReadings& r = world.readings();
   const JointArray measured = driver.humanoid().toModel(r.torque);
   LegLoad load(driver.humanoid().model());
   const JointArray expected =
@@ -104,7 +104,7 @@ TEST_F(Driver, leadHoldsThePosture) {
   const auto kneeError = [&](double lead) {
     p.servo.loadLead = lead;
     driver.reset();
-    simulation::BulletRobot world(nao);
+    servo::BulletRobot world(nao);
     world.restart(driver.humanoid().toMechanism(output.angles));
     for (int i = 0; i < 200; ++i) {
       world.command(driver.command(output, p, {}).target);

@@ -48,7 +48,8 @@ void placeSupporters(const std::vector<TeamMember>& members, const std::vector<s
     for (std::size_t j = 0; j < taken; ++j) {
       const TeamMember& member = members[supporters[i]];
       const bool stays = member.role == PlayerRole::supporter + static_cast<int>(j);
-      cost[i][j] = timeToPlace(member, places[j], time, parameters) - (stays ? parameters.placeStays : 0.0);
+      cost[i][j] =
+          timeToPlace(member, places[j], time, parameters) - (stays ? parameters.placeHysteresis : 0.0);
     }
   const std::vector<int> jobs = assign(cost);
   for (std::size_t i = 0; i < supporters.size(); ++i)

@@ -32,7 +32,7 @@ struct TeamPlanParameters {
             "the goalie must be at the ball sooner by this than any other to leave the goal for it")
   PARAMETER(double, goalieReach, 3.5, "m", Range(0, 30),
             "the goalie leaves the goal for balls this near to it")
-  PARAMETER(double, placeStays, 1.0, "s", Range(0, 10),
+  PARAMETER(double, placeHysteresis, 1.0, "s", Range(0, 10),
             "by which a supporter's own place counts as nearer than it is")
   PARAMETER(double, supporterSpeed, 0.7, "m/s", Range(0.05, 3), "of players on their way to their places")
 };

@@ -200,8 +200,9 @@ StrikerAction chooseAction(const StrikerSituation& situation, const StrikerActio
   }
   if (again.kind == StrikerAction::Kind::none) return best;
   const double near = std::clamp(1 - (situation.ball - situation.robot.position).norm(), 0.0, 1.0);
-  const double stays = std::lerp(parameters.stays, std::max(parameters.stays, parameters.staysAtBall), near);
-  return best.value > again.value + stays ? best : again;
+  const double hysteresis =
+      std::lerp(parameters.hysteresis, std::max(parameters.hysteresis, parameters.hysteresisAtBall), near);
+  return best.value > again.value + hysteresis ? best : again;
 }
 
 }  // namespace plumbline

@@ -43,10 +43,10 @@ struct ActionChoiceParameters {
             "opponents come so much nearer to the way while the ball rolls")
   PARAMETER(double, goalKickWay, 7, "m", Range(0, 30),
             "a ball over the opponents' line is theirs so far before it, after their goal kick")
-  PARAMETER(double, stays, 0.02, "", Range(0, 1),
+  PARAMETER(double, hysteresis, 0.02, "", Range(0, 1),
             "additional value that another action needs to replace the last choice")
   PARAMETER(
-      double, staysAtBall, 0.1, "", Range(0, 1),
+      double, hysteresisAtBall, 0.1, "", Range(0, 1),
       "the same for a robot at the ball, which has taken its position; interpolated between 1 m and the ball")
   PARAMETER(double, slack, 0.03, "", Range(0, 1),
             "value that a kick may lose by its direction, so that it is not waited for a better one")
@@ -82,8 +82,8 @@ struct StrikerAction {
 /// integrated over its scatter. The ball goes into the goal (between the posts and under the bar), off the
 /// field, to a robot in its way, or stops and then belongs to the robot that is first there. This holds if
 /// the robot acts before the nearest opponent is at the ball; else the ball is lost here. last: the previous
-/// choice, kept unless another is worth more by `stays`; kind none: there was none. compared: if not null, it
-/// gets the best direction of each kick and of dribbling.
+/// choice, kept unless another is worth more by `hysteresis`; kind none: there was none. compared: if not
+/// null, it gets the best direction of each kick and of dribbling.
 StrikerAction chooseAction(const StrikerSituation& situation, const StrikerAction& last,
                            const FieldValue& value, const TimeToBallParameters& time,
                            const ActionChoiceParameters& parameters,
