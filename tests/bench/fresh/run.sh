@@ -1,0 +1,45 @@
+#!/usr/bin/env bash
+# What a newcomer waits for: `make run` of the committed tree in an empty Debian 12 (debootstrap's smallest system, with make, git and
+# certificates), from the first package to the goal. Needs root, for chroot; MIRROR is where packages come from. Writes
+# build/bench/fresh.json and fresh.md; `make bench-fresh` writes doc/results/fresh.md.
+set -euo pipefail
+root=$(cd "$(dirname "$0")/../../.." && pwd)
+mirror=${MIRROR:-http://deb.debian.org/debian}
+fail() { echo "fresh: $*" >&2; exit 2; }
+((EUID == 0)) || { echo "fresh: left out, chroot needs root" >&2; exit 0; }
+system=$(mktemp -d)
+leave() {
+  local at
+  for at in proc sys dev; do umount -l "$system/$at" 2> /dev/null || true; done
+  # What is still mounted must not be deleted.
+  grep -q " $system/" /proc/mounts || rm -rf --one-file-system "$system"
+}
+trap leave EXIT
+trap 'exit 130' INT TERM
+echo "fresh: makes an empty system from $mirror (a minute or two)"
+debootstrap --variant=minbase --include=ca-certificates,make,git bookworm "$system" "$mirror" > "$system.log" 2>&1 ||
+  { tail -n 3 "$system.log" >&2; fail "debootstrap failed; all of it is in $system.log"; }
+rm -f "$system.log"
+for at in proc sys dev; do mount --bind "/$at" "$system/$at"; done
+cp /etc/resolv.conf /etc/hosts "$system/etc/"
+git clone -q "$root" "$system/root/plumbline"
+echo "fresh: make run"
+mkdir -p "$root/build/bench"
+begin=$(date +%s.%N)
+chroot "$system" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root bash -c 'cd /root/plumbline && make run' < /dev/null 2>&1 |
+  while IFS= read -r line; do printf '%s\t%s\n' "$(date +%s.%N)" "$line"; done | tee "$root/build/bench/fresh.log" | cut -f2-
+awk -F'\t' -v begin="$begin" -v json="$root/build/bench/fresh.json" -v load="$(cut -d ' ' -f 1 /proc/loadavg)" '
+  function since(time) { return time - begin }
+  { end = since($1) }
+  !built && /\] (C\+\+|PCH|GEN)/ { packages = end; built = 1 }
+  /\] / && /C\+\+|LINK|AR  / { compiled = end }
+  /^[^\t]*\tgoal after/ { goal = end }
+  END {
+    if (!goal) { print "fresh: no goal; the output is in build/bench/fresh.log" > "/dev/stderr"; exit 2 }
+    print "From an empty Debian 12 to the goal; the machine had a load of " load " at the end.\n"
+    print "| `make run` has | after [s] |\n|---|---|"
+    printf "| installed its packages | %.0f |\n| compiled agent, simulator and game | %.0f |\n| scored | %.0f |\n", packages, compiled, goal
+    printf "[\n  {\"name\": \"fresh.packages\", \"value\": %.1f, \"unit\": \"s\", \"better\": \"lower\"},\n", packages > json
+    printf "  {\"name\": \"fresh.make_run\", \"value\": %.1f, \"unit\": \"s\", \"better\": \"lower\", \"target\": 180}\n]\n", goal > json
+  }' "$root/build/bench/fresh.log" > "$root/build/bench/fresh.md"
+cat "$root/build/bench/fresh.md"
