@@ -114,6 +114,13 @@ TEST_F(InspectorTest, saysWhatIsWrong) {
             Lines{"error: representation:InspectedPlace has no part z; it has x, y, list"});
   EXPECT_EQ(ask("gte x"), Lines{"error: no command \"gte\"; did you mean \"get\"? (help lists them)"});
   EXPECT_EQ(ask("get"), Lines{"error: get NAME: the name is missing"});
+  EXPECT_EQ(ask("watch"), Lines{"error: watch NAME [every N | every SECONDSs]: the name is missing"});
+  EXPECT_EQ(ask("setOnce"), Lines{"error: setOnce NAME VALUE: the name is missing"});
+  EXPECT_EQ(ask("unset"), Lines{"error: unset NAME: the name is missing"});
+  EXPECT_EQ(ask("dr"), Lines{"error: dr NAME [once | off]: the name is missing"});
+  EXPECT_EQ(ask("reset"), Lines{"error: reset MODULE: the name is missing"});
+  EXPECT_EQ(ask("reload"), Lines{"error: reload FILE: the name is missing"});
+  EXPECT_EQ(ask("format"), Lines{"error: format text|json: the name is missing"});
   EXPECT_EQ(ask("get a b"), Lines{"error: too much: \"b\""});
   EXPECT_EQ(ask("set a"), Lines{"error: set NAME VALUE: the value is missing"});
   EXPECT_EQ(ask("set representation:InspectedPlace {1 2"), Lines{"error: the value: a } is missing"});

@@ -37,6 +37,31 @@ TEST_F(NaoModel, movesItsMassAsTheMechanismDoes) {
   EXPECT_LT((kinematics.com() - expected).norm(), 1e-12);
 }
 
+TEST_F(NaoModel, whatSlidesIsPartOfTheLinkThatCarriesIt) {
+  Mechanism gripping = nao;
+  for (const char* name : {"LWristYaw", "RWristYaw"})
+    gripping.joints[static_cast<std::size_t>(gripping.requireJoint(name))].type =
+        Mechanism::Joint::Type::prismatic;
+  const Humanoid other(gripping);
+  EXPECT_FALSE(other.model().joint("LWristYaw"));
+  const Mechanism::Joint& wrist =
+      gripping.joints[static_cast<std::size_t>(gripping.requireJoint("LWristYaw"))];
+  const Mechanism::Link& arm = gripping.links[static_cast<std::size_t>(wrist.parent)];
+  const Mechanism::Link& hand = gripping.links[static_cast<std::size_t>(wrist.child)];
+  const Link& both = other.model().links[static_cast<std::size_t>(other.model().linkOfJoint[lElbowRoll])];
+  // Of a rigid body about a point: what its parts have about the point.
+  const auto aboutOrigin = [](const Mat3& inertia, double mass, const Vec3& com) {
+    return Mat3(inertia + mass * (com.squaredNorm() * Mat3::Identity() - com * com.transpose()));
+  };
+  const Vec3 handCom = wrist.origin + hand.com;
+  EXPECT_NEAR(both.mass, arm.mass + hand.mass, 1e-12);
+  EXPECT_LT((both.mass * both.com - arm.mass * arm.com - hand.mass * handCom).norm(), 1e-12);
+  EXPECT_LT((aboutOrigin(both.inertia, both.mass, both.com) - aboutOrigin(arm.inertia, arm.mass, arm.com) -
+             aboutOrigin(hand.inertia, hand.mass, handCom))
+                .norm(),
+            1e-12);
+}
+
 TEST_F(NaoModel, valuesGoToTheMechanismAndBack) {
   JointArray values{};
   for (const JointId joint : model.joints()) values[joint] = 1 + joint;

@@ -181,6 +181,11 @@ TEST_F(MechanismJson, groupsOfJointsByNameAndByTypeOfServo) {
             "r.json: group both names joint bend twice");
   EXPECT_EQ(errorOf("r.json", twoJoints(R"(, "groups": {"bend": ["bend", "swing"]})")),
             "r.json: group bend has the name of something else; rename it");
+  for (const std::string of : {"bend", "tip"})
+    EXPECT_EQ(errorOf("r.json", twoJoints("", ", \"type\": \"" + of + "\"")),
+              "r.json: the type of servo " + of + " has the name of something else; rename it");
+  EXPECT_EQ(errorOf("r.json", twoJoints(R"(, "groups": {"MX28": ["bend", "swing"]})", R"(, "type": "MX28")")),
+            "r.json: group MX28 has the name of a type of servo; rename it");
   EXPECT_EQ(errorOf("r.json", twoJoints(R"(, "groups": {"both": "bend"})")),
             "r.json: groups: group both is no list; write [JOINT, ...]");
 }

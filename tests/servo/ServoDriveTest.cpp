@@ -143,6 +143,25 @@ TEST(ServoDrive, aProfileKeepsItsAccelerationAndArrives) {
   EXPECT_DOUBLE_EQ(way.back(), 0.4);
 }
 
+TEST(ServoDrive, aProfileIsNoFasterThanTheMotorOrItsOwnSpeed) {
+  const auto setPointAfter = [](double maxSpeed, double profileSpeed) {
+    JointPlant plant = servo();
+    plant.accelerationLimit = 1000;
+    plant.maxSpeed = maxSpeed;
+    plant.profileSpeed = profileSpeed;
+    plant.maxTorque = 1e6;
+    ServoDrive drive(plant, true);
+    drive.start(0);
+    drive.command(10);
+    for (int i = 0; i < 1000; ++i) drive.begin(h, {0, 0}, {0, 0});
+    return drive.torque(0) / 20;
+  };
+  // The speed is reached within a few milliseconds.
+  EXPECT_NEAR(setPointAfter(2, 0), 2, 0.01);
+  EXPECT_NEAR(setPointAfter(2, 0.5), 0.5, 0.01);
+  EXPECT_NEAR(setPointAfter(0.5, 2), 0.5, 0.01);
+}
+
 TEST(ServoDrive, aLagComesNearExponentially) {
   JointPlant plant = servo();
   plant.commandLag = 0.05;

@@ -27,7 +27,7 @@ echo "fresh: make run"
 mkdir -p "$root/build/bench"
 begin=$(date +%s.%N)
 chroot "$system" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root bash -c 'cd /root/plumbline && make run' < /dev/null 2>&1 |
-  while IFS= read -r line; do printf '%s\t%s\n' "$(date +%s.%N)" "$line"; done | tee "$root/build/bench/fresh.log" | cut -f2-
+  while IFS= read -r line; do printf '%s\t%s\n' "$(date +%s.%N)" "$line"; done | tee "$root/build/bench/fresh.lines" | cut -f2-
 awk -F'\t' -v begin="$begin" -v json="$root/build/bench/fresh.json" -v load="$(cut -d ' ' -f 1 /proc/loadavg)" '
   function since(time) { return time - begin }
   { end = since($1) }
@@ -35,11 +35,11 @@ awk -F'\t' -v begin="$begin" -v json="$root/build/bench/fresh.json" -v load="$(c
   /\] / && /C\+\+|LINK|AR  / { compiled = end }
   /^[^\t]*\tgoal after/ { goal = end }
   END {
-    if (!goal) { print "fresh: no goal; the output is in build/bench/fresh.log" > "/dev/stderr"; exit 2 }
+    if (!goal) { print "fresh: no goal; the output is in build/bench/fresh.lines" > "/dev/stderr"; exit 2 }
     print "From an empty Debian 12 to the goal; the machine had a load of " load " at the end.\n"
     print "| `make run` has | after [s] |\n|---|---|"
     printf "| installed its packages | %.0f |\n| compiled agent, simulator and game | %.0f |\n| scored | %.0f |\n", packages, compiled, goal
     printf "[\n  {\"name\": \"fresh.packages\", \"value\": %.1f, \"unit\": \"s\", \"better\": \"lower\"},\n", packages > json
     printf "  {\"name\": \"fresh.make_run\", \"value\": %.1f, \"unit\": \"s\", \"better\": \"lower\", \"target\": 180}\n]\n", goal > json
-  }' "$root/build/bench/fresh.log" > "$root/build/bench/fresh.md"
+  }' "$root/build/bench/fresh.lines" > "$root/build/bench/fresh.md"
 cat "$root/build/bench/fresh.md"

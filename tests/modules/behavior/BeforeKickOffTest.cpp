@@ -46,4 +46,12 @@ TEST_F(BeforeKickOffTest, everyNumberHasItsPlace) {
   EXPECT_NEAR(at(0, PlayMode::beforeKickOff, 2).beamPose.y(), 2, 1e-12);
 }
 
+TEST_F(BeforeKickOffTest, withoutMatesItStandsNearTheBallAndInATeamAtItsPlace) {
+  harness.input<PlayerRole>().members = 1;
+  const double alone = at(0, PlayMode::beforeKickOff, 2).beamPose.y();
+  EXPECT_NEAR(alone, 2, 1e-12) << "as without a role";
+  harness.input<PlayerRole>().members = 11;
+  EXPECT_NE(at(0.02, PlayMode::beforeKickOff, 2).beamPose.y(), alone);
+}
+
 }  // namespace

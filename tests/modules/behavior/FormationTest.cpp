@@ -139,6 +139,21 @@ TEST_F(FormationTest, allStayInTheirHalfUntilAKickOffIsTaken) {
   EXPECT_LT(role().place.position.x(), 0);
 }
 
+TEST_F(FormationTest, nobodyStandsInThePenaltyAreaAtTheOpponentsGoalKick) {
+  const FieldDimensions& field = harness.input<FieldDimensions>();
+  harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(13, 0, 0), 0.5),
+                                            reportOf(8, Pose2(-5, 0, 0), 9)};
+  harness.input<RobotPose>().pose = Pose2(14, 1, 0);
+  harness.input<GameState>().playMode = PlayMode::goalKickOpponent;
+  for (double y = -2; y <= 2; y += 0.5) {
+    ballAt({14, y});
+    const Vec2 place = role().place.position;
+    EXPECT_TRUE(std::abs(place.y()) > field.penaltyWidth / 2 ||
+                place.x() < field.length / 2 - field.penaltyDepth)
+        << y;
+  }
+}
+
 TEST_F(FormationTest, placesOfASetPieceHoldUntilItIsOver) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(15, 10, 0), 0.5)};
   harness.input<RobotPose>().pose = Pose2(12, 2, 0);

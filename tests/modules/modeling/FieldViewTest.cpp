@@ -33,6 +33,23 @@ TEST(FieldMap, hasTheLeaguesLines) {
   EXPECT_NEAR(total, 20 + 2 * 20 + 2 * 30 + 2 * (6 + 2 * 1.8) + ring, 1e-9);
 }
 
+TEST(FieldView, isAsSureOfAPointAsTheNoiseAllows) {
+  const Pose3 T_ground_head = translation(0, 0, 1);
+  const double down = fromDegrees(-30);
+  VisionNoise none;
+  none.distance = none.distanceShare = none.azimuth = none.elevation = none.offset = none.tilt = 0;
+  const auto covariance = [&](const VisionNoise& noise) {
+    return projectToGround(2, 0, down, T_ground_head, noise).covariance;
+  };
+  VisionNoise aside = none, along = none, above = none, tilted = none;
+  aside.azimuth = along.distanceShare = above.elevation = tilted.tilt = 0.01;
+  EXPECT_NEAR(covariance(aside)(1, 1), std::pow(0.02 * std::cos(down), 2), 1e-12);
+  EXPECT_NEAR(covariance(aside)(0, 0), 0, 1e-12);
+  EXPECT_NEAR(covariance(along)(0, 0), std::pow(0.02 * std::cos(down), 2), 1e-12);
+  EXPECT_NEAR(covariance(above)(0, 0), std::pow(0.02 * std::sin(down), 2), 1e-12);
+  EXPECT_NEAR(covariance(tilted)(1, 1), std::pow(0.01, 2), 1e-12) << "1 m below the head";
+}
+
 TEST(FieldView, projectsThroughTheHeadsPose) {
   const Pose3 T_ground_head = translation(0.02, 0, 0.5) * rotationZ(pi / 2) * rotationY(pi / 4);
   const GroundPoint point = projectToGround(1, 0, 0, T_ground_head, {});
