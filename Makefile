@@ -197,7 +197,7 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 # believe (GAMES, HALF, SEED, PLAYERS); searches by 1 to 30 workers (SLEEP); how fast a foot is and could be in a kick
 # (BENCH_ARGS=KICKS); the game of `make run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER); the thesis's tables of motions
 # by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE); how long
-# builds take. All write their page in doc/results/.
+# builds take, and `make run` in an empty Debian; what each constant of the diagnosis changes in its answers (DATA, FIT, TESTS). All write their page in doc/results/.
 benchBuilds-robust := bench-robust
 benchBuilds-clients := optserver optworker
 benchBuilds-optimisation-motions := optserver
@@ -206,8 +206,9 @@ benchBuilds-saves := agent simulator watchgame
 benchBuilds-duels := agent simulator bench-duels
 benchBuilds-set-pieces := agent simulator bench-duels
 benchBuilds-beliefs := agent simulator watchgame
+benchBuilds-gap-sensitivity := gap
 benchBuilds-kick-limit := bench-kick-limit
-ownPage := build robust positioning saves duels set-pieces beliefs clients kick-limit goal optimisation-motions optimisation-standup
+ownPage := build fresh gap-sensitivity robust positioning saves duels set-pieces beliefs clients kick-limit goal optimisation-motions optimisation-standup
 $(ownPage:%=bench-%): bench-%:
 	@scripts/build.sh SimRelease $(or $(benchBuilds-$*),agent game simulator)
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }

@@ -6,6 +6,7 @@
 #   --list         says what would be changed, and changes nothing
 #   --report       writes doc/results/mutation.md from what was tried
 #   --survivors    tries again what has survived, after tests were mended
+#   --program      builds build/mutation/tree/bin/gap alone: PLUMBLINE_MUTANT=N has the N-th change of build/mutation/plan.txt
 # Variables: SEED, of the choice and the order [1]. OPERATORS [200]. MOST, how many are tried in this run [all]. LONG=yes
 # runs tests/diagnosis as well, minutes each, where src/gap is changed. QUICK=yes leaves out what has to be compiled by
 # itself. JOBS for builds [one per core].
@@ -20,7 +21,7 @@ fail() { echo "mutation.sh: $*" >&2; exit 2; }
 mode=run survivors="" folders=()
 while (($#)); do
   case $1 in
-    --list | --report) mode=${1#--} ;;
+    --list | --report | --program) mode=${1#--} ;;
     --survivors) survivors=yes ;;
     -*) fail "no option $1; see --help" ;;
     *) [[ -d src/${1%/} ]] || fail "no folder src/$1"
@@ -62,6 +63,13 @@ flock -n 9 || fail "it runs already here"
 trap 'echo; echo "mutation.sh: ended; the same command goes on"; exit 130' INT TERM
 source scripts/mutation/tree.bash
 source scripts/mutation/tests.bash
+
+if [[ $mode == program ]]; then
+  refresh
+  (cd "$tree" && ./configure.sh --target SimRelease) > "$out/log" 2>&1 || fail "configure: see $out/log"
+  buildSwitched gap || fail "bin/gap does not build: see $out/log"
+  exit
+fi
 
 mapfile -t todo < <(
   if [[ $survivors ]]; then

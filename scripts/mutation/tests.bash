@@ -17,7 +17,7 @@ prepare() {
   local record=$out/record-$1.txt test number=0
   [[ ${prepared[$1]-} ]] && return
   echo "builds the tests of $1"
-  buildSwitched "$1" || fail "tests/$1 do not build: see $out/log"
+  buildSwitched "test-$1" || fail "tests/$1 do not build: see $out/log"
   prepared[$1]=yes
   [[ -s $record && ! $tree/build/SimRelease/tests/$1 -nt $record ]] && return
   echo "notes what each of them reaches"

@@ -53,11 +53,11 @@ refresh() {
 
 build() { (cd "$tree" && scripts/build.sh SimRelease "$@") > "$out/log" 2>&1 9>&-; }
 
-# Builds the tests of an area. What does not compile behind a switch is taken out, until the rest does.
+# Builds a target. What does not compile behind a switch is taken out, until the rest does.
 buildSwitched() {
   local what which file changed round
   for ((round = 0; round < 40; ++round)); do
-    build -k 0 "test-$1" && return
+    build -k 0 "$1" && return
     awk -f scripts/mutation/drop.awk "$plan" "$reached" "$out/log" > "$out/drop"
     [[ -s $out/drop ]] || return 1
     echo "  takes $(wc -l < "$out/drop") switches out that do not compile"
