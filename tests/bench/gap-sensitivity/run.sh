@@ -1,6 +1,6 @@
 #!/usr/bin/env bash
-# What each constant of the diagnosis changes in its answers: one constant of src/gap/inference at a time is changed by 30 %, in a copy
-# of the tree (scripts/mutation.sh --program), and recordings of a real servo are diagnosed again. How much of the gap the answer
+# What each constant of the diagnosis changes in its answers. One constant of src/gap/inference at a time is changed by 30 %, in a
+# copy of the tree (scripts/mutation.sh --program). Then recordings of a real servo are diagnosed again. How much of the gap the answer
 # closes in recordings of other motions, and which causes it names, is compared with the answer without the change. Writes
 # build/bench/gap-sensitivity.json and .md; `make bench-gap-sensitivity` the page.
 # The recordings are not part of the project. Environment:
@@ -37,7 +37,7 @@ awk -F'\t' -v kept="$kept" -v name="$name" -v json=build/bench/gap-sensitivity.j
   function read(number,   line, file) {
     file = kept "/" name "." number ".txt"; closed = "none"; causes = ""
     while ((getline line < file) > 0) {
-      if (match(line, /^  [a-z_]+ (at|in) [^=]*=/)) { sub(/^  /, "", line); sub(/ =.*/, "", line); causes = causes (causes == "" ? "" : ", ") line }
+      if (line !~ /is supported by/ && match(line, /^  [a-z_]+ (at|in) [^=]*=/)) { sub(/^  /, "", line); sub(/ =.*/, "", line); causes = causes (causes == "" ? "" : ", ") line }
       if (match(line, /[Cc]losed on average -?[0-9.]+/)) { closed = substr(line, RSTART, RLENGTH); sub(/.* /, "", closed) }
     }
     close(file)
