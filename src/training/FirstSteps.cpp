@@ -33,7 +33,7 @@ std::vector<FirstStep> firstStepsIn(const ConfigSection& section) {
 
 std::vector<FirstStep> firstSteps(const std::string& key) {
   const ConfigFile file("search_steps", {configFolder()});
-  return file.root().has(key) ? firstStepsIn(file.root().section(key)) : std::vector<FirstStep>();
+  return firstStepsIn(file.root().section(key));
 }
 
 void checkPaths(const std::vector<FirstStep>& steps, const std::vector<std::string>& known) {

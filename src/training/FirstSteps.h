@@ -14,8 +14,8 @@ struct FirstStep {
   std::string place;  ///< where it is written, for error texts: `file:line: key`
 };
 
-/// Those below a key of config/search_steps.yaml ("positioning"), in the order of the file; none if the key
-/// is not there. Throws ConfigurationError for a step that is not a number above 0.
+/// Those below a key of config/search_steps.yaml ("positioning"), in the order of the file. Throws
+/// ConfigurationError if the key is not there, and for a step that is not a number above 0.
 std::vector<FirstStep> firstSteps(const std::string& key);
 
 /// The same of a map.

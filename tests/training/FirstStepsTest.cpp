@@ -32,7 +32,11 @@ TEST(FirstSteps, aStepIsANumberAboveZero) {
   EXPECT_THROW(stepsOf("walk: [1, 2]\n"), ConfigurationError);
 }
 
-TEST(FirstSteps, aKeyThatIsNotThereHasNone) { EXPECT_TRUE(firstSteps("walk.turn.corner").empty()); }
+TEST(FirstSteps, aKeyMustBeThere) {
+  EXPECT_TRUE(firstSteps("walk.turn.corner").empty());
+  EXPECT_NE(thrownBy([] { firstSteps("walk.trun.corner"); }).find("search_steps.yaml"), std::string::npos)
+      << thrownBy([] { firstSteps("walk.trun.corner"); });
+}
 
 TEST(FirstSteps, theNearestNameOfAPathIsSaid) {
   EXPECT_NO_THROW(checkPaths({{"a.b", 1, ""}}, {"a.b"}));
