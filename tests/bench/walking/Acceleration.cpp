@@ -5,6 +5,7 @@
 
 namespace plumbline::bench {
 
+using namespace training;
 using namespace walking;
 
 namespace {

@@ -4,6 +4,7 @@
 
 namespace plumbline::bench {
 
+using namespace training;
 using namespace walking;
 
 void StepWatch::cycle() {

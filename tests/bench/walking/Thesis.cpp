@@ -5,6 +5,7 @@
 namespace plumbline::bench {
 namespace {
 
+using namespace training;
 using namespace walking;
 
 /// Five minutes on the spot: table 4.3.
