@@ -196,8 +196,9 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 # three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); set pieces (TRIES, SEED, PLAYERS, OTHERS); what players
 # believe (GAMES, HALF, SEED, PLAYERS); searches by 1 to 30 workers (SLEEP); how fast a foot is and could be in a kick
 # (BENCH_ARGS=KICKS); the game of `make run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER); the thesis's tables of motions
-# by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE); how long
-# builds take, and `make run` in an empty Debian; what each constant of the diagnosis changes in its answers (DATA, FIT, TESTS). All write their page in doc/results/.
+# by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE); how long builds take, and
+# `make run` in an empty Debian; what each constant of the diagnosis changes in its answers (DATA, FIT, TESTS). All write
+# their page in doc/results/.
 benchBuilds-robust := bench-robust
 benchBuilds-clients := optserver optworker
 benchBuilds-optimisation-motions := optserver
@@ -206,11 +207,11 @@ benchBuilds-saves := agent simulator watchgame
 benchBuilds-duels := agent simulator bench-duels
 benchBuilds-set-pieces := agent simulator bench-duels
 benchBuilds-beliefs := agent simulator watchgame
-benchBuilds-gap-sensitivity := gap
 benchBuilds-kick-limit := bench-kick-limit
+buildThemselves := build fresh gap-sensitivity
 ownPage := build fresh gap-sensitivity robust positioning saves duels set-pieces beliefs clients kick-limit goal optimisation-motions optimisation-standup
 $(ownPage:%=bench-%): bench-%:
-	@scripts/build.sh SimRelease $(or $(benchBuilds-$*),agent game simulator)
+	@$(if $(filter $*,$(buildThemselves)),,scripts/build.sh SimRelease $(or $(benchBuilds-$*),agent game simulator))
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*
 

@@ -65,6 +65,7 @@ source scripts/mutation/tree.bash
 source scripts/mutation/tests.bash
 
 if [[ $mode == program ]]; then
+  echo "builds bin/gap with all changes behind switches, in some minutes (how far it is: tail -f build/mutation/log)"
   refresh
   (cd "$tree" && ./configure.sh --target SimRelease) > "$out/log" 2>&1 || fail "configure: see $out/log"
   buildSwitched gap || fail "bin/gap does not build: see $out/log"

@@ -38,8 +38,8 @@ using namespace plumbline::training;
 using namespace plumbline::walking;
 
 struct Options {
-  TrainingSetup setup;
-  std::vector<std::string> tasks{taskNames.begin(), taskNames.end()};
+  WalkTrainingSetup setup;
+  std::vector<std::string> tasks{walkTrialKindNames.begin(), walkTrialKindNames.end()};
   std::vector<std::string> searched;  ///< of the tasks, with choose
   std::string from, output;
   std::string over;  ///< folder of what is put over what was chosen
@@ -61,9 +61,9 @@ void say(const std::string& line) {
   std::fflush(stdout);
 }
 
-Task taskOf(const std::string& name) {
-  for (std::size_t i = 0; i < taskNames.size(); ++i)
-    if (name == taskNames[i]) return static_cast<Task>(i);
+WalkTrialKind taskOf(const std::string& name) {
+  for (std::size_t i = 0; i < walkTrialKindNames.size(); ++i)
+    if (name == walkTrialKindNames[i]) return static_cast<WalkTrialKind>(i);
   throw std::invalid_argument("no task " + name);
 }
 
@@ -89,17 +89,19 @@ std::string checksum(const std::string& text) {
 /// All that determines the result. The first walk is in the checkpoint itself if the search overwrites its
 /// file.
 std::string markOf(const Options& options) {
-  const TrainingSetup& setup = options.setup;
+  const WalkTrainingSetup& setup = options.setup;
   std::string mark = fmt::format(
       "{} {}; robot {} {}; optimizer {} generations {} population {} tries {} seconds {} push {} sigma {} "
       "seed {}; anew "
       "{} corners {} "
-      "choose {} choice-seed {}; tasks {}; search {}; only {}; from {}; walking.yaml {}",
+      "choose {} choice-seed {}; tasks {}; search {}; only {}; from {}; walking.yaml {}; search_steps.yaml "
+      "{}",
       versionText(), checksum(textOf("/proc/self/exe")), options.type, options.robot, setup.optimizer,
       setup.generations, setup.population, setup.trial.tries, setup.trial.seconds, setup.trial.push,
       setup.sigma, setup.seed, options.anew, options.cornersOf, options.choose, options.choice.seed,
       fmt::join(options.tasks, ","), fmt::join(options.searched, ","), fmt::join(setup.only, ","),
-      options.from, checksum(textOf(configPath("walking.yaml"))));
+      options.from, checksum(textOf(configPath("walking.yaml"))),
+      checksum(textOf(configPath("search_steps.yaml"))));
   const std::filesystem::path from = std::filesystem::path(options.from) / "walking.yaml";
   std::error_code error;
   if (!std::filesystem::equivalent(from, options.output, error))
@@ -113,12 +115,12 @@ std::string markOf(const Options& options) {
 }
 
 /// A search that continues from its checkpoint if it was interrupted.
-WalkGaits search(const WalkGaits& gaits, TrainingSetup setup, WalkCheckpoint& checkpoint,
+WalkGaits search(const WalkGaits& gaits, WalkTrainingSetup setup, WalkCheckpoint& checkpoint,
                  const std::function<void(const std::string&, const WalkGaits&)>& progress) {
   return checkpoint.stage([&] {
     setup.state = checkpoint.search();
     setup.store = [&](const std::string& state) { checkpoint.storeSearch(state); };
-    return train(gaits, setup, progress);
+    return trainWalk(gaits, setup, progress);
   });
 }
 
@@ -126,7 +128,7 @@ WalkGaits search(const WalkGaits& gaits, TrainingSetup setup, WalkCheckpoint& ch
 /// all together.
 void chooseAll(Options& options, WalkGaits gaits, WalkCheckpoint& checkpoint,
                const std::function<void(const WalkGaits&)>& write) {
-  TrainingSetup& setup = options.setup;
+  WalkTrainingSetup& setup = options.setup;
   const std::unique_ptr<Walker> robot = setup.walker(gaits);
   const auto sayOfRobot = [&](const std::string& line) { say(setup.robot + ", " + line); };
   const auto stage = [&](const std::string& what, const std::function<WalkGaits()>& work) {
@@ -139,7 +141,7 @@ void chooseAll(Options& options, WalkGaits gaits, WalkCheckpoint& checkpoint,
   WalkGaits chosen = none;
   for (const std::string& name : options.tasks) {
     setup.task = taskOf(name);
-    if (setup.task == Task::mixture || setup.task == Task::push) continue;  // no sprint
+    if (setup.task == WalkTrialKind::mixture || setup.task == WalkTrialKind::push) continue;  // no sprint
     std::vector<WalkGaits> sprints{gaits};
     if (std::ranges::find(options.searched, name) != options.searched.end())
       sprints.push_back(
@@ -157,7 +159,7 @@ void chooseAll(Options& options, WalkGaits gaits, WalkCheckpoint& checkpoint,
 void tryTasks(const Options& options, const WalkGaits& gaits) {
   const std::unique_ptr<Walker> robot = options.setup.walker(gaits);
   for (const std::string& name : options.tasks) {
-    const TrialResult r = tryWalk(*robot, gaits, taskOf(name), options.setup.trial);
+    const WalkTrialResult r = tryWalk(*robot, gaits, taskOf(name), options.setup.trial);
     say(fmt::format("{}, {}: speed {:.3f}, falls {:.3f}, drift {:.3f}", name, options.setup.robot, r.speed,
                     r.falls, r.drift));
   }
@@ -186,7 +188,7 @@ void checkEngine(const Options& options) {
 }
 
 void makeRobots(Options& options, const StopSignal& stop) {
-  TrainingSetup& setup = options.setup;
+  WalkTrainingSetup& setup = options.setup;
   checkEngine(options);
   setup.robot = options.robot.empty() ? "type " + std::to_string(options.type) : options.robot;
   const auto interrupt = [&stop] {
@@ -218,7 +220,7 @@ void makeRobots(Options& options, const StopSignal& stop) {
 }
 
 void run(Options& options, const StopSignal& stop) {
-  TrainingSetup& setup = options.setup;
+  WalkTrainingSetup& setup = options.setup;
   checkWalkParameters(setup.only);
   makeRobots(options, stop);
   ProgressReport report("optimizewalk");
@@ -264,7 +266,7 @@ void run(Options& options, const StopSignal& stop) {
 
 int runProgram(int argc, char** argv) {
   Options options;
-  TrainingSetup& setup = options.setup;
+  WalkTrainingSetup& setup = options.setup;
   int jobs = 0;
   CommandLine app(
       "Finds the walk of a robot type in the simulator: parameters at full speed in each "
@@ -277,7 +279,7 @@ int runProgram(int argc, char** argv) {
              "instead of a type: a robot with position servos, by the name of its file in config/robots");
   app.option("--task", options.tasks,
              "what is searched for, in this order: forward, backward, sideways, turn, mixture, push")
-      .oneOf(std::vector<std::string>{taskNames.begin(), taskNames.end()})
+      .oneOf(std::vector<std::string>{walkTrialKindNames.begin(), walkTrialKindNames.end()})
       .showDefault();
   app.option("--optimizer", setup.optimizer,
              fmt::format("what searches: {}", fmt::join(optimizerNames(), ", ")))
@@ -314,7 +316,7 @@ int runProgram(int argc, char** argv) {
                "minutes of tries have no fall, and chooses the fastest");
   app.option("--search", options.searched,
              "with --choose: those of the tasks whose sprints are searched; the others are only cut")
-      .oneOf(std::vector<std::string>{taskNames.begin(), taskNames.end()})
+      .oneOf(std::vector<std::string>{walkTrialKindNames.begin(), walkTrialKindNames.end()})
       .needs(choose);
   app.option("--choice-seed", options.choice.seed, "of those tries").needs(choose).showDefault();
   app.option("--over", options.over, "folder of a walking.yaml that is put over what was chosen")

@@ -11,7 +11,7 @@
 namespace plumbline::training {
 namespace {
 
-constexpr Range aboveZero{1e-6, 1e6};
+constexpr Range sizes{1e-6, 1e6};
 
 void collect(const ConfigSection& section, const std::string& prefix, std::vector<FirstStep>& steps) {
   for (const std::string& key : section.keys()) {
@@ -19,7 +19,7 @@ void collect(const ConfigSection& section, const std::string& prefix, std::vecto
     if (node.kind == ConfigNode::Kind::map)
       collect(section.section(key), prefix + key + ".", steps);
     else
-      steps.push_back({prefix + key, section.get<double>(key, aboveZero), node.place() + ": " + node.key});
+      steps.push_back({prefix + key, section.get<double>(key, sizes), node.place() + ": " + node.key});
   }
 }
 
@@ -31,9 +31,8 @@ std::vector<FirstStep> firstStepsIn(const ConfigSection& section) {
   return steps;
 }
 
-std::vector<FirstStep> firstSteps(const std::string& key) {
-  const ConfigFile file("search_steps", {configFolder()});
-  return firstStepsIn(file.root().section(key));
+std::vector<FirstStep> firstSteps(const std::string& search) {
+  return firstStepsIn(ConfigFile("search_steps", {configFolder()}).root().section(search));
 }
 
 void checkPaths(const std::vector<FirstStep>& steps, const std::vector<std::string>& known) {

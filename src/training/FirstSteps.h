@@ -14,12 +14,12 @@ struct FirstStep {
   std::string place;  ///< where it is written, for error texts: `file:line: key`
 };
 
-/// Those below a key of config/search_steps.yaml ("positioning"), in the order of the file. Throws
-/// ConfigurationError if the key is not there, and for a step that is not a number above 0.
-std::vector<FirstStep> firstSteps(const std::string& key);
-
-/// The same of a map.
+/// Those of a map, in the order of the file; maps in it make paths with dots. Throws ConfigurationError for a
+/// step that is not a number from 1e-6 to 1e6.
 std::vector<FirstStep> firstStepsIn(const ConfigSection& section);
+
+/// Those of a search: the map of this name in config/search_steps.yaml, which must be there.
+std::vector<FirstStep> firstSteps(const std::string& search);
 
 /// Throws ConfigurationError, with the nearest name, for the first step whose path is not among those known.
 void checkPaths(const std::vector<FirstStep>& steps, const std::vector<std::string>& known);

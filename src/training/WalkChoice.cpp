@@ -12,25 +12,26 @@
 namespace plumbline::training {
 namespace {
 
-constexpr std::array directions{Task::forward, Task::backward, Task::sideways, Task::turn};
+constexpr std::array directions{WalkTrialKind::forward, WalkTrialKind::backward, WalkTrialKind::sideways,
+                                WalkTrialKind::turn};
 
 struct Direction {
   double walking::SpeedParameters::*most;
   double walking::SpeedParameters::*omni;
 };
 
-Direction directionOf(Task task) {
+Direction directionOf(WalkTrialKind task) {
   switch (task) {
-    case Task::forward:
+    case WalkTrialKind::forward:
       return {&walking::SpeedParameters::maxForward, &walking::SpeedParameters::omniForward};
-    case Task::backward:
+    case WalkTrialKind::backward:
       return {&walking::SpeedParameters::maxBackward, &walking::SpeedParameters::omniBackward};
-    case Task::sideways:
+    case WalkTrialKind::sideways:
       return {&walking::SpeedParameters::maxSideways, &walking::SpeedParameters::omniSideways};
-    case Task::turn:
+    case WalkTrialKind::turn:
       return {&walking::SpeedParameters::maxTurn, &walking::SpeedParameters::omniTurn};
-    case Task::mixture:
-    case Task::push:
+    case WalkTrialKind::mixture:
+    case WalkTrialKind::push:
       break;
   }
   throw std::invalid_argument("a mixture of directions has no sprint");
@@ -43,7 +44,7 @@ bool same(const walking::WalkParameters& a, const walking::WalkParameters& b) {
 
 }  // namespace
 
-walking::WalkGaits cutSprint(const walking::WalkGaits& gaits, Task direction, double share) {
+walking::WalkGaits cutSprint(const walking::WalkGaits& gaits, WalkTrialKind direction, double share) {
   const auto [most, omni] = directionOf(direction);
   walking::WalkGaits cut = gaits;
   walking::WalkParameters& corner = cut.corner[static_cast<std::size_t>(direction)];
@@ -63,12 +64,12 @@ walking::WalkGaits cutSprint(const walking::WalkGaits& gaits, Task direction, do
 
 walking::WalkGaits cutSprints(const walking::WalkGaits& gaits, double share) {
   walking::WalkGaits cut = gaits;
-  for (const Task direction : directions) cut = cutSprint(cut, direction, share);
+  for (const WalkTrialKind direction : directions) cut = cutSprint(cut, direction, share);
   return cut;
 }
 
 walking::WalkGaits withSprint(const walking::WalkGaits& gaits, const walking::WalkGaits& other,
-                              Task direction) {
+                              WalkTrialKind direction) {
   const Direction d = directionOf(direction);
   walking::WalkGaits result = gaits;
   result.corner[static_cast<std::size_t>(direction)] = other.corner[static_cast<std::size_t>(direction)];
@@ -79,7 +80,7 @@ walking::WalkGaits withSprint(const walking::WalkGaits& gaits, const walking::Wa
 
 walking::WalkGaits slowMixture(const walking::WalkGaits& gaits, double share) {
   walking::WalkGaits slow = gaits;
-  for (const Task task : directions) {
+  for (const WalkTrialKind task : directions) {
     const Direction direction = directionOf(task);
     slow.base.speed.*direction.omni *= share;
     for (walking::WalkParameters& corner : slow.corner)
@@ -91,13 +92,13 @@ walking::WalkGaits slowMixture(const walking::WalkGaits& gaits, double share) {
 double randomFalls(Walker& robot, const walking::WalkGaits& gaits, const ChoiceSetup& setup, double enough) {
   double falls = 0;
   for (int i = 0; i < setup.minutes; ++i) {
-    TrialSetup trial;
+    WalkTrialSetup trial;
     trial.seed = setup.seed * 1000 + static_cast<std::uint64_t>(i);
     trial.tries = 1;
     trial.seconds = 60;
     trial.push = 0;
     trial.stopEarly = false;
-    falls += tryWalk(robot, gaits, Task::mixture, trial).falls;
+    falls += tryWalk(robot, gaits, WalkTrialKind::mixture, trial).falls;
     if (falls > enough * setup.minutes) break;
   }
   return falls / setup.minutes;
@@ -106,13 +107,13 @@ double randomFalls(Walker& robot, const walking::WalkGaits& gaits, const ChoiceS
 namespace {
 
 /// The i-th of the times a sprint is held.
-HeldSpeed hold(Walker& robot, Task direction, double seconds, int i, const ChoiceSetup& setup) {
+HeldSpeed hold(Walker& robot, WalkTrialKind direction, double seconds, int i, const ChoiceSetup& setup) {
   Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
   return holdSpeed(robot, fullSpeed(direction, i % 2 == 0 ? 1 : -1), seconds, random.uniform(0.1, 0.6), 0);
 }
 
 /// Of a sprint that holds, mean over the beginnings of the times it is held; 0 where it does not.
-double heldSpeed(Walker& robot, Task direction, const ChoiceSetup& setup) {
+double heldSpeed(Walker& robot, WalkTrialKind direction, const ChoiceSetup& setup) {
   double sum = 0;
   for (int i = 0; i < setup.holds; ++i) {
     const HeldSpeed held = hold(robot, direction, std::min(20.0, setup.holdSeconds), i, setup);
@@ -124,10 +125,11 @@ double heldSpeed(Walker& robot, Task direction, const ChoiceSetup& setup) {
 
 }  // namespace
 
-bool sprintHolds(Walker& robot, const walking::WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
+bool sprintHolds(Walker& robot, const walking::WalkGaits& gaits, WalkTrialKind direction,
+                 const ChoiceSetup& setup) {
   // What fails most often comes first.
   for (int i = 0; i < setup.tries; ++i) {
-    TrialSetup trial;
+    WalkTrialSetup trial;
     trial.seed = setup.seed * 1000 + static_cast<std::uint64_t>(i);
     trial.tries = 1;
     trial.seconds = setup.trySeconds;
@@ -140,7 +142,8 @@ bool sprintHolds(Walker& robot, const walking::WalkGaits& gaits, Task direction,
   return true;
 }
 
-double safeShare(Walker& robot, const walking::WalkGaits& gaits, Task direction, const ChoiceSetup& setup) {
+double safeShare(Walker& robot, const walking::WalkGaits& gaits, WalkTrialKind direction,
+                 const ChoiceSetup& setup) {
   const int steps = static_cast<int>(std::lround(1 / setup.sprintStep));
   for (int i = steps; i > 0; --i) {
     const double share = std::min(1.0, i * setup.sprintStep);
@@ -163,7 +166,7 @@ walking::WalkGaits chooseMixture(Walker& robot, const walking::WalkGaits& gaits,
 }
 
 walking::WalkGaits chooseSprint(Walker& robot, const walking::WalkGaits& gaits,
-                                const std::vector<walking::WalkGaits>& others, Task direction,
+                                const std::vector<walking::WalkGaits>& others, WalkTrialKind direction,
                                 const ChoiceSetup& setup,
                                 const std::function<void(const std::string&)>& say) {
   const Direction d = directionOf(direction);
@@ -184,8 +187,8 @@ walking::WalkGaits chooseSprint(Walker& robot, const walking::WalkGaits& gaits,
     tried = cutSprint(tried, direction, share);
     robot.use(tried);
     const double speed = heldSpeed(robot, direction, setup);
-    say(fmt::format("{}: {:.2f} of the sprint holds, {:.3f} {}", taskNames[corner], share, speed,
-                    direction == Task::turn ? "rad/s" : "m/s"));
+    say(fmt::format("{}: {:.2f} of the sprint holds, {:.3f} {}", walkTrialKindNames[corner], share, speed,
+                    direction == WalkTrialKind::turn ? "rad/s" : "m/s"));
     if (speed <= fastest) continue;
     fastest = speed;
     best = tried;

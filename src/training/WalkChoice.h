@@ -24,14 +24,14 @@ struct ChoiceSetup {
 
 /// A sprint that ends earlier: the same way from the walk of mixtures towards the full speed of a direction,
 /// but only a share of it (0: no sprint, 1: all of it). Speeds on the way are walked as before. Throws
-/// std::invalid_argument for Task::mixture and Task::push.
-walking::WalkGaits cutSprint(const walking::WalkGaits& gaits, Task direction, double share);
+/// std::invalid_argument for WalkTrialKind::mixture and WalkTrialKind::push.
+walking::WalkGaits cutSprint(const walking::WalkGaits& gaits, WalkTrialKind direction, double share);
 /// All of them.
 walking::WalkGaits cutSprints(const walking::WalkGaits& gaits, double share);
 
 /// The walk with another one's sprint of a direction.
 walking::WalkGaits withSprint(const walking::WalkGaits& gaits, const walking::WalkGaits& other,
-                              Task direction);
+                              WalkTrialKind direction);
 
 /// Speeds that may be mixed, all times this; full speeds as they are.
 walking::WalkGaits slowMixture(const walking::WalkGaits& gaits, double share);
@@ -40,10 +40,12 @@ walking::WalkGaits slowMixture(const walking::WalkGaits& gaits, double share);
 double randomFalls(Walker& robot, const walking::WalkGaits& gaits, const ChoiceSetup& setup, double enough);
 
 /// Whether the sprint of a direction is held and can be interrupted without a fall.
-bool sprintHolds(Walker& robot, const walking::WalkGaits& gaits, Task direction, const ChoiceSetup& setup);
+bool sprintHolds(Walker& robot, const walking::WalkGaits& gaits, WalkTrialKind direction,
+                 const ChoiceSetup& setup);
 
 /// The longest share of a sprint that holds; 0 if none does.
-double safeShare(Walker& robot, const walking::WalkGaits& gaits, Task direction, const ChoiceSetup& setup);
+double safeShare(Walker& robot, const walking::WalkGaits& gaits, WalkTrialKind direction,
+                 const ChoiceSetup& setup);
 
 /// The mixture slowed down until random requests without sprints make no fall.
 walking::WalkGaits chooseMixture(Walker& robot, const walking::WalkGaits& gaits, const ChoiceSetup& setup,
@@ -52,7 +54,7 @@ walking::WalkGaits chooseMixture(Walker& robot, const walking::WalkGaits& gaits,
 /// The first walk with the fastest of several walks' sprints of a direction, each cut to its safe share;
 /// without if none is quicker than nothing.
 walking::WalkGaits chooseSprint(Walker& robot, const walking::WalkGaits& gaits,
-                                const std::vector<walking::WalkGaits>& others, Task direction,
+                                const std::vector<walking::WalkGaits>& others, WalkTrialKind direction,
                                 const ChoiceSetup& setup, const std::function<void(const std::string&)>& say);
 
 /// All sprints cut by the same share until random requests make no more falls than is allowed.

@@ -9,6 +9,8 @@
 #include <mutex>
 #include <stdexcept>
 
+#include "framework/ConfigFile.h"
+#include "framework/ConfigFolder.h"
 #include "framework/ConfigOverlay.h"
 #include "framework/ConfigurationError.h"
 #include "framework/NearestName.h"
@@ -26,11 +28,12 @@ constexpr const char* recoveryName = "recovery";
 /// does not matter on which of them it is made.
 class WalkerPool {
 public:
-  WalkerPool(const TrainingSetup& setup, const walking::WalkGaits& gaits) : setup_(setup), gaits_(gaits) {}
+  WalkerPool(const WalkTrainingSetup& setup, const walking::WalkGaits& gaits)
+      : setup_(setup), gaits_(gaits) {}
 
-  TrialResult tryOn(const walking::WalkGaits& walk, const TrialSetup& trial) {
+  WalkTrialResult tryOn(const walking::WalkGaits& walk, const WalkTrialSetup& trial) {
     std::unique_ptr<Walker> robot = take();
-    const TrialResult result = tryWalk(*robot, walk, setup_.task, trial);
+    const WalkTrialResult result = tryWalk(*robot, walk, setup_.task, trial);
     const std::lock_guard lock(mutex_);
     idle_.push_back(std::move(robot));
     return result;
@@ -45,11 +48,17 @@ private:
     return robot;
   }
 
-  const TrainingSetup& setup_;
+  const WalkTrainingSetup& setup_;
   const walking::WalkGaits& gaits_;
   std::mutex mutex_;
   std::vector<std::unique_ptr<Walker>> idle_;
 };
+
+std::vector<std::string> pathsOfWalk() {
+  std::vector<std::string> paths;
+  for (const walking::WalkParameter& one : walking::walkParameters()) paths.push_back(one.path);
+  return paths;
+}
 
 walking::WalkParameters& sectionOf(walking::WalkGaits& gaits, const std::string& name) {
   for (std::size_t i = 0; i < walking::WalkGaits::numCorners; ++i)
@@ -60,27 +69,25 @@ walking::WalkParameters& sectionOf(walking::WalkGaits& gaits, const std::string&
 }  // namespace
 
 void checkWalkParameters(const std::vector<std::string>& paths) {
-  std::vector<std::string> known;
-  for (const walking::WalkParameter& one : walking::walkParameters()) known.push_back(one.path);
   for (const std::string& path : paths)
     if (!walking::findWalkParameter(path))
-      throw ConfigurationError("no walking parameter \"" + path + "\"" + suggestion(path, known));
+      throw ConfigurationError("no walking parameter \"" + path + "\"" + suggestion(path, pathsOfWalk()));
 }
 
-std::vector<Variable> variablesOf(Task task) {
-  std::vector<Variable> variables;
-  std::vector<std::string> known;
-  for (const walking::WalkParameter& one : walking::walkParameters()) known.push_back(one.path);
+std::vector<WalkVariable> variablesOf(WalkTrialKind task) {
+  std::vector<WalkVariable> variables;
+  const ConfigFile file("search_steps", {configFolder()});
+  const ConfigSection walk = file.root().section("walk");
   const auto add = [&](const std::string& section, const std::string& key) {
-    const std::vector<FirstStep> steps = firstSteps("walk." + key);
-    checkPaths(steps, known);
+    const std::vector<FirstStep> steps = firstStepsIn(walk.section(key));
+    checkPaths(steps, pathsOfWalk());
     for (const FirstStep& step : steps)
       variables.push_back({section, walking::findWalkParameter(step.path), step.size});
   };
-  const std::string name = taskNames[static_cast<std::size_t>(task)];
-  if (task == Task::mixture) {
+  const std::string name = walkTrialKindNames[static_cast<std::size_t>(task)];
+  if (task == WalkTrialKind::mixture) {
     add("", name);
-  } else if (task == Task::push) {
+  } else if (task == WalkTrialKind::push) {
     add(recoveryName, name + "." + recoveryName);
     add("", name + ".base");
   } else {
@@ -91,13 +98,13 @@ std::vector<Variable> variablesOf(Task task) {
   return variables;
 }
 
-double valueOf(const walking::WalkGaits& gaits, const Variable& variable) {
+double valueOf(const walking::WalkGaits& gaits, const WalkVariable& variable) {
   if (variable.section == recoveryName) return variable.parameter->of(gaits.at(Vec2::Zero(), 0, 1));
   walking::WalkGaits copy = gaits;
   return variable.parameter->of(sectionOf(copy, variable.section));
 }
 
-void setValue(walking::WalkGaits& gaits, const Variable& variable, double value) {
+void setValue(walking::WalkGaits& gaits, const WalkVariable& variable, double value) {
   const walking::WalkParameter& parameter = *variable.parameter;
   const double allowed = std::clamp(value, parameter.declared->range.min, parameter.declared->range.max);
   if (variable.section == recoveryName) {
@@ -115,29 +122,30 @@ void setValue(walking::WalkGaits& gaits, const Variable& variable, double value)
   }
 }
 
-double cost(Task task, const TrialResult& r) {
+double walkCost(WalkTrialKind task, const WalkTrialResult& r) {
   switch (task) {
-    case Task::forward:
+    case WalkTrialKind::forward:
       return -r.speed + 0.15 * r.drift + 1.5 * r.falls;
-    case Task::backward:
-    case Task::sideways:
+    case WalkTrialKind::backward:
+    case WalkTrialKind::sideways:
       return -r.speed + 0.3 * r.drift + 1.5 * r.falls;
-    case Task::turn:
+    case WalkTrialKind::turn:
       return -r.speed / 2.5 + 0.5 * r.drift + 1.5 * r.falls;
-    case Task::mixture:
+    case WalkTrialKind::mixture:
       return -r.speed + 0.3 * r.falls;
-    case Task::push:
+    case WalkTrialKind::push:
       return r.falls;
   }
   return 0;
 }
 
-walking::WalkGaits train(const walking::WalkGaits& gaits, const TrainingSetup& setup,
-                         const std::function<void(const std::string&, const walking::WalkGaits&)>& progress) {
+walking::WalkGaits trainWalk(
+    const walking::WalkGaits& gaits, const WalkTrainingSetup& setup,
+    const std::function<void(const std::string&, const walking::WalkGaits&)>& progress) {
   checkWalkParameters(setup.only);
-  std::vector<Variable> variables = variablesOf(setup.task);
+  std::vector<WalkVariable> variables = variablesOf(setup.task);
   if (!setup.only.empty())
-    std::erase_if(variables, [&](const Variable& v) {
+    std::erase_if(variables, [&](const WalkVariable& v) {
       return std::find(setup.only.begin(), setup.only.end(), v.parameter->path) == setup.only.end();
     });
   if (variables.empty()) throw std::invalid_argument("this task searches none of the named parameters");
@@ -146,7 +154,7 @@ walking::WalkGaits train(const walking::WalkGaits& gaits, const TrainingSetup& s
   space.lower.resize(n);
   space.upper.resize(n);
   for (Eigen::Index i = 0; i < n; ++i) {
-    const Variable& v = variables[static_cast<std::size_t>(i)];
+    const WalkVariable& v = variables[static_cast<std::size_t>(i)];
     const double start = valueOf(gaits, v);
     // A value on its bound may still move a little.
     space.lower[i] = std::min(-0.1, (v.parameter->declared->range.min - start) / v.step);
@@ -167,18 +175,18 @@ walking::WalkGaits train(const walking::WalkGaits& gaits, const TrainingSetup& s
   Optimizer& search = *optimizer;
   if (!setup.state.empty()) search.restore(setup.state);
   WalkerPool pool(setup, gaits);
-  const char* task = taskNames[static_cast<std::size_t>(setup.task)];
+  const char* task = walkTrialKindNames[static_cast<std::size_t>(setup.task)];
   char line[200];
   while (!search.isDone()) {
     const Eigen::MatrixXd candidates = search.ask();
-    TrialSetup trial = setup.trial;
+    WalkTrialSetup trial = setup.trial;
     trial.seed = setup.seed * 100000 + static_cast<std::uint64_t>(search.generations());
     const auto count = static_cast<std::size_t>(candidates.cols());
     std::vector<double> costs(count);
     std::atomic<int> tried = 0;
     parallel(count, setup.jobs, [&](std::size_t i) {
       const walking::WalkGaits candidate = decode(candidates.col(static_cast<Eigen::Index>(i)));
-      costs[i] = cost(setup.task, pool.tryOn(candidate, trial));
+      costs[i] = walkCost(setup.task, pool.tryOn(candidate, trial));
       if (setup.report)
         setup.report(std::string(task) + ", " + setup.robot,
                      (static_cast<double>(search.generations()) + ++tried / static_cast<double>(count)) /
@@ -187,7 +195,7 @@ walking::WalkGaits train(const walking::WalkGaits& gaits, const TrainingSetup& s
     search.tell(costs);
     if (search.generations() % 10 == 0) {
       const walking::WalkGaits favourite = decode(search.favourite());
-      const TrialResult r = pool.tryOn(favourite, trial);
+      const WalkTrialResult r = pool.tryOn(favourite, trial);
       std::snprintf(line, sizeof line,
                     "%s, %s, generation %d: speed %.3f, falls %.2f, drift %.3f, sigma %.3f", task,
                     setup.robot.c_str(), static_cast<int>(search.generations()), r.speed, r.falls, r.drift,
@@ -196,16 +204,16 @@ walking::WalkGaits train(const walking::WalkGaits& gaits, const TrainingSetup& s
     }
     if (setup.store) setup.store(search.save());
   }
-  TrialSetup last = setup.trial;
+  WalkTrialSetup last = setup.trial;
   last.seed = setup.seed * 100000 + 99999;
   last.tries *= 8;
   last.stopEarly = false;
   walking::WalkGaits found = decode(search.favourite());
   if (setup.report) setup.report("comparing what was found, " + std::string(task), -1);
-  TrialResult before, after;
+  WalkTrialResult before, after;
   parallel(2, setup.jobs,
            [&](std::size_t i) { (i == 0 ? before : after) = pool.tryOn(i == 0 ? gaits : found, last); });
-  if (!(cost(setup.task, after) < cost(setup.task, before))) found = gaits;
+  if (!(walkCost(setup.task, after) < walkCost(setup.task, before))) found = gaits;
   std::snprintf(line, sizeof line,
                 "%s, %s: speed %.3f, falls %.3f, drift %.3f -> speed %.3f, falls %.3f, drift %.3f", task,
                 setup.robot.c_str(), before.speed, before.falls, before.drift, after.speed, after.falls,

@@ -59,8 +59,8 @@ private:
 };
 
 /// One try in one direction; false if it ended in a fall.
-bool tryDirection(Walker& robot, Random& random, const walking::WalkParameters& p, Task task,
-                  const TrialSetup& setup, TrialResult& result) {
+bool tryDirection(Walker& robot, Random& random, const walking::WalkParameters& p, WalkTrialKind task,
+                  const WalkTrialSetup& setup, WalkTrialResult& result) {
   Try attempt(robot, random, setup.push);
   robot.restart(Pose2(-14, 5));  // clear of goals and walls
   const double sign = random.uniform() < 0.5 ? -1 : 1;
@@ -84,8 +84,9 @@ bool tryDirection(Walker& robot, Random& random, const walking::WalkParameters& 
       if (!counts) return;
       time += t - begin;
       const Vec2 direction = full.velocity.normalized();
-      along += task == Task::turn ? (robot.turned() - turned) * sign : direction.dot(way);
-      across += task == Task::turn ? way.norm() : std::abs(Vec2(-direction.y(), direction.x()).dot(way));
+      along += task == WalkTrialKind::turn ? (robot.turned() - turned) * sign : direction.dot(way);
+      across +=
+          task == WalkTrialKind::turn ? way.norm() : std::abs(Vec2(-direction.y(), direction.x()).dot(way));
     };
     go(full, random.uniform(1, 3), true);
     if (random.uniform() < 0.5) go(anyRequest(random, p), random.uniform(0.3, 1), false);
@@ -98,8 +99,8 @@ bool tryDirection(Walker& robot, Random& random, const walking::WalkParameters& 
   return upright && attempt.run({}, 2) && robot.output.standing;
 }
 
-TrialResult tryMixture(Walker& robot, const walking::WalkParameters& p, const TrialSetup& setup) {
-  TrialResult result;
+WalkTrialResult tryMixture(Walker& robot, const walking::WalkParameters& p, const WalkTrialSetup& setup) {
+  WalkTrialResult result;
   const double minutes = setup.tries * setup.seconds / 60;
   Random random(setup.seed);
   Try attempt(robot, random, setup.push);
@@ -145,8 +146,8 @@ TrialResult tryMixture(Walker& robot, const walking::WalkParameters& p, const Tr
 
 /// One push of 0.1 s while standing, stepping or walking, from anywhere; falls count the more the smaller it
 /// was, the hardest by half as much as the mean.
-TrialResult tryPushes(Walker& robot, const walking::WalkParameters& p, const TrialSetup& setup) {
-  TrialResult result;
+WalkTrialResult tryPushes(Walker& robot, const walking::WalkParameters& p, const WalkTrialSetup& setup) {
+  WalkTrialResult result;
   for (int i = 0; i < setup.tries; ++i) {
     Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
     walking::WalkRequest request;
@@ -171,18 +172,18 @@ TrialResult tryPushes(Walker& robot, const walking::WalkParameters& p, const Tri
 
 }  // namespace
 
-walking::WalkRequest fullSpeed(Task task, double sign) {
+walking::WalkRequest fullSpeed(WalkTrialKind task, double sign) {
   constexpr double enough = 9;
   switch (task) {
-    case Task::forward:
+    case WalkTrialKind::forward:
       return {Vec2(enough, 0), 0, true};
-    case Task::backward:
+    case WalkTrialKind::backward:
       return {Vec2(-enough, 0), 0, true};
-    case Task::sideways:
+    case WalkTrialKind::sideways:
       return {Vec2(0, sign * enough), 0, true};
-    case Task::turn:
-    case Task::mixture:
-    case Task::push:
+    case WalkTrialKind::turn:
+    case WalkTrialKind::mixture:
+    case WalkTrialKind::push:
       return {Vec2::Zero(), sign * enough, true};
   }
   return {};
@@ -220,11 +221,12 @@ HeldSpeed holdSpeed(Walker& robot, const walking::WalkRequest& request, double s
   return result;
 }
 
-TrialResult tryWalk(Walker& robot, const walking::WalkGaits& gaits, Task task, const TrialSetup& setup) {
+WalkTrialResult tryWalk(Walker& robot, const walking::WalkGaits& gaits, WalkTrialKind task,
+                        const WalkTrialSetup& setup) {
   robot.use(gaits);
-  if (task == Task::mixture) return tryMixture(robot, gaits.base, setup);
-  if (task == Task::push) return tryPushes(robot, gaits.base, setup);
-  TrialResult result;
+  if (task == WalkTrialKind::mixture) return tryMixture(robot, gaits.base, setup);
+  if (task == WalkTrialKind::push) return tryPushes(robot, gaits.base, setup);
+  WalkTrialResult result;
   int fallen = 0;
   for (int i = 0; i < setup.tries; ++i) {
     Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));

@@ -6,12 +6,12 @@
 namespace plumbline::training {
 
 /// What a walk is tried for.
-enum class Task { forward, backward, sideways, turn, mixture, push };
-inline constexpr std::array<const char*, 6> taskNames{"forward", "backward", "sideways",
-                                                      "turn",    "mixture",  "push"};
+enum class WalkTrialKind { forward, backward, sideways, turn, mixture, push };
+inline constexpr std::array<const char*, 6> walkTrialKindNames{"forward", "backward", "sideways",
+                                                               "turn",    "mixture",  "push"};
 
 /// How a walk did in a number of tries.
-struct TrialResult {
+struct WalkTrialResult {
   double speed =
       0;  ///< mean along the request, 0 from a fall on; turning [rad/s], mixture: share of the request
   double falls = 0;     ///< per try; mixture: per minute; push: per try, a small push counting more
@@ -19,7 +19,7 @@ struct TrialResult {
   double drift = 0;     ///< speed across the request, or away while turning [m/s]
 };
 
-struct TrialSetup {
+struct WalkTrialSetup {
   std::uint64_t seed = 1;
   int tries = 10;
   double seconds = 6;     ///< of one try
@@ -30,10 +30,11 @@ struct TrialSetup {
 
 /// Lets the robot do the task: from standing at full speed for some seconds, then to a stop, with random
 /// pushes and small random changes of the request.
-TrialResult tryWalk(Walker& robot, const walking::WalkGaits& gaits, Task task, const TrialSetup& setup);
+WalkTrialResult tryWalk(Walker& robot, const walking::WalkGaits& gaits, WalkTrialKind task,
+                        const WalkTrialSetup& setup);
 
 /// The request for more than any walk's full speed in a direction; sign 1 or -1: left or right.
-walking::WalkRequest fullSpeed(Task task, double sign);
+walking::WalkRequest fullSpeed(WalkTrialKind task, double sign);
 
 /// How a walk held a speed.
 struct HeldSpeed {

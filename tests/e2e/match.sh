@@ -7,9 +7,9 @@ expectError 2 "match.sh: unknown option --fats; see match.sh --help" "$match" --
 expectError 2 "match.sh: nobody is to play; see match.sh --help" "$match" --left 0 --right 0
 expectError 2 "match.sh: both teams are called A; see match.sh --help" "$match" --left-name A --right-name A
 
-# Without a terminal, to its end; TMPDIR tells what is left behind.
+# Without a terminal, to its end, in real time so that its first second is seen; TMPDIR tells what is left behind.
 mkdir "$scratch/tmp"
-TMPDIR=$scratch/tmp within 60 "$match" --left 2 --right 1 --seconds 3 --no-page --seed 1 > "$scratch/out" 2> "$scratch/err" ||
+TMPDIR=$scratch/tmp within 60 "$match" --left 2 --right 1 --seconds 3 --no-page --realtime --seed 1 > "$scratch/out" 2> "$scratch/err" ||
   fail "a short match: status $?, $(cat "$scratch/err")"
 head -1 "$scratch/out" | grep -qx 'Plumbline (2) against Line (1), 3 s' || fail "it says: $(head -1 "$scratch/out")"
 grep -qx '0:00.* Plumbline 0 : 0 Line KickOff_Left half 1 robots 3' "$scratch/out" || fail "no play-by-play: $(cat "$scratch/out")"

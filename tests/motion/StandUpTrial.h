@@ -6,7 +6,7 @@
 #include "training/MotionTrial.h"
 
 namespace plumbline::motion {
-using namespace training;
+using training::MotionTrial;
 
 constexpr double longestStandUp = 12;  ///< repeats included [s]
 

@@ -48,7 +48,8 @@ TEST(ServerWalker, isHeldInLapsOfTheField) {
   test::RunningServer server(test::inStep());
   ServerWalker there(0, readLeagueGaits(0), of(server));
   WalkingRobot here(0, readLeagueGaits(0));
-  for (const Task task : {Task::forward, Task::backward, Task::sideways, Task::turn})
+  for (const WalkTrialKind task :
+       {WalkTrialKind::forward, WalkTrialKind::backward, WalkTrialKind::sideways, WalkTrialKind::turn})
     for (const double sign : {-1.0, 1.0}) {
       const walking::WalkRequest full = fullSpeed(task, sign);
       const HeldSpeed far = holdSpeed(there, full, 40, 0.3, 0), near = holdSpeed(here, full, 40, 0.3, 0);

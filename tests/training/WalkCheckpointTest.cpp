@@ -21,8 +21,8 @@ protected:
       (std::filesystem::temp_directory_path() / ("walk" + std::to_string(getpid()) + ".search")).string();
 };
 
-TrainingSetup shortSearch() {
-  TrainingSetup setup;
+WalkTrainingSetup shortSearch() {
+  WalkTrainingSetup setup;
   setup.walker = [](const walking::WalkGaits& walk) { return std::make_unique<WalkingRobot>(0, walk); };
   setup.generations = 4;
   setup.population = 4;
@@ -44,22 +44,22 @@ TEST_F(WalkCheckpointTest, aWalkIsKeptBitForBit) {
 }
 
 TEST_F(WalkCheckpointTest, aSearchFindsTheSameWithAnyNumberOfJobs) {
-  TrainingSetup setup = shortSearch();
-  const std::string alone = exactText(train(readLeagueGaits(0), setup, silent));
+  WalkTrainingSetup setup = shortSearch();
+  const std::string alone = exactText(trainWalk(readLeagueGaits(0), setup, silent));
   setup.jobs = 3;
-  EXPECT_EQ(exactText(train(readLeagueGaits(0), setup, silent)), alone);
+  EXPECT_EQ(exactText(trainWalk(readLeagueGaits(0), setup, silent)), alone);
 }
 
 TEST_F(WalkCheckpointTest, aSearchThatWasInterruptedFindsTheSame) {
-  TrainingSetup setup = shortSearch();
+  WalkTrainingSetup setup = shortSearch();
   std::vector<std::string> states;
   setup.store = [&](const std::string& state) { states.push_back(state); };
-  const std::string undisturbed = exactText(train(readLeagueGaits(0), setup, silent));
+  const std::string undisturbed = exactText(trainWalk(readLeagueGaits(0), setup, silent));
   ASSERT_EQ(states.size(), 4u);
   setup.store = nullptr;
   for (const std::string& state : states) {
     setup.state = state;
-    EXPECT_EQ(exactText(train(readLeagueGaits(0), setup, silent)), undisturbed);
+    EXPECT_EQ(exactText(trainWalk(readLeagueGaits(0), setup, silent)), undisturbed);
   }
 }
 

@@ -33,7 +33,7 @@ ChoiceSetup quick() {
 }
 
 TEST(WalkChoice, aCutSprintGoesTheSameWayLessFar) {
-  const walking::WalkGaits all = sprinter(), half = cutSprint(all, Task::forward, 0.5);
+  const walking::WalkGaits all = sprinter(), half = cutSprint(all, WalkTrialKind::forward, 0.5);
   EXPECT_NEAR(half.base.speed.maxForward, 0.4, 1e-12);
   EXPECT_EQ(half.base.speed.maxSideways, 0.3);
   for (const double speed : {0.1, 0.2, 0.3, 0.4})
@@ -47,7 +47,7 @@ TEST(WalkChoice, nothingIsLeftOfASprintCutToNothing) {
   EXPECT_EQ(none.base.speed.maxForward, 0.2);
   EXPECT_EQ(none.base.speed.maxSideways, 0.1);
   EXPECT_EQ(none.corner[0].step.height, 0.02);
-  EXPECT_THROW(cutSprint(none, Task::mixture, 1), std::invalid_argument);
+  EXPECT_THROW(cutSprint(none, WalkTrialKind::mixture, 1), std::invalid_argument);
 }
 
 TEST(WalkChoice, aSlowerMixtureLeavesFullSpeedsAlone) {
@@ -69,14 +69,14 @@ TEST(WalkChoice, aSprintThatMakesTheRobotFallIsCutOrLeftAway) {
   }
   WalkingRobot robot(0, gaits);
   const ChoiceSetup setup = quick();
-  EXPECT_FALSE(sprintHolds(robot, gaits, Task::forward, setup));
-  EXPECT_TRUE(sprintHolds(robot, cutSprint(gaits, Task::forward, 0), Task::forward, setup));
+  EXPECT_FALSE(sprintHolds(robot, gaits, WalkTrialKind::forward, setup));
+  EXPECT_TRUE(sprintHolds(robot, cutSprint(gaits, WalkTrialKind::forward, 0), WalkTrialKind::forward, setup));
   std::string said;
-  const walking::WalkGaits chosen = chooseSprint(robot, gaits, {gaits}, Task::forward, setup,
+  const walking::WalkGaits chosen = chooseSprint(robot, gaits, {gaits}, WalkTrialKind::forward, setup,
                                                  [&](const std::string& line) { said += line; });
   EXPECT_LT(chosen.base.speed.maxForward, 1.5);
   EXPECT_GE(chosen.base.speed.maxForward, 0.1);
-  EXPECT_TRUE(sprintHolds(robot, chosen, Task::forward, setup));
+  EXPECT_TRUE(sprintHolds(robot, chosen, WalkTrialKind::forward, setup));
   EXPECT_NE(said.find("forward"), std::string::npos);
 }
 

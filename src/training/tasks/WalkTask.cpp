@@ -14,16 +14,16 @@ namespace {
 
 constexpr double firstSigma = 0.5;  ///< of the first candidates, in first steps of the variables
 
-Task directionOf(const std::string& name) {
-  const auto found = std::ranges::find(taskNames, name);
-  if (found == taskNames.end())
+WalkTrialKind directionOf(const std::string& name) {
+  const auto found = std::ranges::find(walkTrialKindNames, name);
+  if (found == walkTrialKindNames.end())
     throw ConfigurationError(
-        fmt::format("option direction: \"{}\" is not one of {}", name, fmt::join(taskNames, ", ")));
-  return static_cast<Task>(found - taskNames.begin());
+        fmt::format("option direction: \"{}\" is not one of {}", name, fmt::join(walkTrialKindNames, ", ")));
+  return static_cast<WalkTrialKind>(found - walkTrialKindNames.begin());
 }
 
 /// "forward_step_height": without dots, which in a file would be maps within maps.
-std::string nameOf(const Variable& variable) {
+std::string nameOf(const WalkVariable& variable) {
   std::string name = (variable.section.empty() ? "" : variable.section + "_") + variable.parameter->path;
   std::ranges::replace(name, '.', '_');
   return name;
@@ -38,7 +38,7 @@ WalkTask::WalkTask(const WalkOptions& options)
   trial_.seconds = options.seconds;
   trial_.push = options.push;
   first_ = readLeagueGaits(type);
-  for (const Variable& variable : variables_) {
+  for (const WalkVariable& variable : variables_) {
     const double start = valueOf(first_, variable), step = variable.step;
     // A value on its bound may still move a little.
     parameters_.push_back(
@@ -70,11 +70,11 @@ walking::WalkGaits WalkTask::gaits(const Eigen::VectorXd& parameters) const {
 }
 
 TaskOutcome WalkTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {
-  TrialSetup trial = trial_;
+  WalkTrialSetup trial = trial_;
   trial.seed = seed;
-  const TrialResult result = tryWalk(*robot_, gaits(parameters), task_, trial);
+  const WalkTrialResult result = tryWalk(*robot_, gaits(parameters), task_, trial);
   TaskOutcome outcome;
-  outcome.cost = cost(task_, result);
+  outcome.cost = walkCost(task_, result);
   outcome.figures = {{"speed", result.speed}, {"falls", result.falls}, {"drift", result.drift}};
   return outcome;
 }

@@ -13,17 +13,17 @@ namespace plumbline::training {
 /// Options of the task walk.
 struct WalkOptions {
   PARAMETERS(WalkOptions)
-  PARAMETER(std::string, direction, std::string(taskNames[0]), "", Range(),
+  PARAMETER(std::string, direction, std::string(walkTrialKindNames[0]), "", Range(),
             "forward, backward, sideways, turn, mixture (any requests) or push")
-  PARAMETER(double, seconds, TrialSetup().seconds, "s", Range(2, 600), "length of a try")
-  PARAMETER(double, push, TrialSetup().push, "m/s", Range(0, 3), "largest speed of a push")
+  PARAMETER(double, seconds, WalkTrialSetup().seconds, "s", Range(2, 600), "length of a try")
+  PARAMETER(double, push, WalkTrialSetup().push, "m/s", Range(0, 3), "largest speed of a push")
   PARAMETER_GROUP(RobotOptions, robot, "robot and what its world is")
 };
 
 /// The walk of a robot type in one direction at full speed, any mixture of requests, or under pushes: what
 /// bin/optimizewalk searches on one machine, as a task of the server. A run is one try, its cost
-/// cost. The file is the type's walking.yaml.
-/// Figures: speed, falls, drift (TrialResult).
+/// walkCost. The file is the type's walking.yaml.
+/// Figures: speed, falls, drift (WalkTrialResult).
 class WalkTask : public SearchTask {
 public:
   using Options = WalkOptions;
@@ -38,10 +38,10 @@ public:
 private:
   walking::WalkGaits gaits(const Eigen::VectorXd& parameters) const;
 
-  Task task_;
-  TrialSetup trial_;
+  WalkTrialKind task_;
+  WalkTrialSetup trial_;
   walking::WalkGaits first_;
-  std::vector<Variable> variables_;
+  std::vector<WalkVariable> variables_;
   std::vector<TaskParameter> parameters_;
   std::unique_ptr<Walker> robot_;
 };

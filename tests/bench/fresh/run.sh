@@ -4,6 +4,8 @@
 # build/bench/fresh.json and fresh.md; `make bench-fresh` writes doc/results/fresh.md.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../../.." && pwd)
+"$root/scripts/install_packages.sh" "$root/scripts/packages-bench.txt"
+mkdir -p "$root/build/bench"
 mirror=${MIRROR:-http://deb.debian.org/debian}
 fail() { echo "fresh: $*" >&2; exit 2; }
 ((EUID == 0)) || { echo "fresh: left out, chroot needs root" >&2; exit 0; }
@@ -17,14 +19,12 @@ leave() {
 trap leave EXIT
 trap 'exit 130' INT TERM
 echo "fresh: makes an empty system from $mirror (a minute or two)"
-debootstrap --variant=minbase --include=ca-certificates,make,git bookworm "$system" "$mirror" > "$system.log" 2>&1 ||
-  { tail -n 3 "$system.log" >&2; fail "debootstrap failed; all of it is in $system.log"; }
-rm -f "$system.log"
+debootstrap --variant=minbase --include=ca-certificates,make,git bookworm "$system" "$mirror" > "$root/build/bench/fresh.system" 2>&1 ||
+  { tail -n 3 "$root/build/bench/fresh.system" >&2; fail "debootstrap failed; all of it is in build/bench/fresh.system"; }
 for at in proc sys dev; do mount --bind "/$at" "$system/$at"; done
 cp /etc/resolv.conf /etc/hosts "$system/etc/"
 git clone -q "$root" "$system/root/plumbline"
 echo "fresh: make run"
-mkdir -p "$root/build/bench"
 begin=$(date +%s.%N)
 chroot "$system" env -i PATH=/usr/sbin:/usr/bin:/sbin:/bin HOME=/root bash -c 'cd /root/plumbline && make run' < /dev/null 2>&1 |
   while IFS= read -r line; do printf '%s\t%s\n' "$(date +%s.%N)" "$line"; done | tee "$root/build/bench/fresh.lines" | cut -f2-

@@ -20,17 +20,21 @@ scripts/mutation.sh --program
 awk -F'\t' -v OFS='\t' '$3 == "threshold" && $2 == "plain" && $4 ~ /^src\/gap\/inference\// { print $1, $4, $5, $6, $7, $8 }' "$plan" > "$kept/changes.tsv"
 name=$(tr ' ' '+' <<< "$fit")
 try() { # number, 0: no change
-  local gap=build/mutation/tree/bin/gap piece=$kept/$name.$1
+  local gap=build/mutation/tree/bin/gap piece=$kept/$name.$1 status=0
   [[ -s $piece.txt ]] && return
   export PLUMBLINE_MUTANT=$1
   # shellcheck disable=SC2046,SC2086
-  "$gap" diagnose $(printf "$data/%s " $fit) --json "$piece.json" --jobs 1 --quiet > "$piece.new" 2>&1 < /dev/null &&
-    "$gap" check "$piece.json" $(printf "$data/%s " $tests) >> "$piece.new" 2>&1 < /dev/null || echo "no answer" > "$piece.new"
+  { "$gap" diagnose $(printf "$data/%s " $fit) --json "$piece.json" --jobs 1 --quiet &&
+    "$gap" check "$piece.json" $(printf "$data/%s " $tests); } > "$piece.new" 2>&1 < /dev/null || status=$?
+  # What was stopped is tried again; a change that breaks the program has no answer.
+  ((status != 130 && status != 143)) || exit 255
+  ((status == 0)) || echo "no answer" > "$piece.new"
   mv "$piece.new" "$piece.txt"
-  echo "change $1"
+  echo "$(find "$kept" -name "$name.*.txt" | wc -l) of $all"
 }
 export -f try
-export data fit tests kept name
+all=$(($(wc -l < "$kept/changes.tsv") + 1))
+export data fit tests kept name all
 { echo 0; cut -f1 "$kept/changes.tsv"; } | xargs -P "${JOBS:-2}" -I{} bash -c 'try {}'
 # The first figures of "Closed on average X %; the answer claims Y %", and the names of the causes.
 awk -F'\t' -v kept="$kept" -v name="$name" -v json=build/bench/gap-sensitivity.json -v fit="$fit" -v tests="$tests" '
@@ -46,7 +50,7 @@ awk -F'\t' -v kept="$kept" -v name="$name" -v json=build/bench/gap-sensitivity.j
   END {
     read(0); base = closed; baseCauses = causes
     print "Fitted to " fit "; checked on " tests ". Without a change the answer closes " base " % there and names " baseCauses "."
-    print "Changed one at a time: " n " constants of `src/gap/inference`, each by 30 %, upward or downward as a seed drew it, whole numbers by one at least.\n"
+    print "Changed one at a time: " n " constants of `src/gap/inference`, each by 30 %, upward or downward as a hash of its place says, whole numbers by one at least.\n"
     for (i = 1; i <= n; ++i) {
       read(number[i]); change = closed == "none" ? -1000 : closed - base
       size[i] = change < 0 ? -change : change

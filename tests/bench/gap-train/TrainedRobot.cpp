@@ -22,7 +22,7 @@ namespace plumbline::bench {
 
 namespace fs = std::filesystem;
 using namespace gap;
-using training::TrialResult;
+using training::WalkTrialResult;
 
 namespace {
 
@@ -45,10 +45,10 @@ walking::WalkGaits walkIn(const std::string& folder) {
   return gaits;
 }
 
-TrialResult meanOf(const std::vector<TrialResult>& tries) {
-  TrialResult mean;
+WalkTrialResult meanOf(const std::vector<WalkTrialResult>& tries) {
+  WalkTrialResult mean;
   const auto n = static_cast<double>(tries.size());
-  for (const TrialResult& t : tries) {
+  for (const WalkTrialResult& t : tries) {
     mean.speed += t.speed / n;
     mean.falls += t.falls / n;
     mean.drift += t.drift / n;
@@ -131,17 +131,17 @@ void TrainBench::train(const TrainStart& start, const std::string& output) const
   runProgram(command, output + "/log");
 }
 
-std::vector<TrialResult> TrainBench::measure(const walking::WalkGaits& walk, const Explanation& effects,
-                                             std::uint64_t tries, std::uint64_t first) const {
-  std::vector<TrialResult> results(tries);
+std::vector<WalkTrialResult> TrainBench::measure(const walking::WalkGaits& walk, const Explanation& effects,
+                                                 std::uint64_t tries, std::uint64_t first) const {
+  std::vector<WalkTrialResult> results(tries);
   parallel(results.size(), static_cast<int>(setup_.jobs), [&](std::size_t i) {
     const auto robot = walkerWith("bullet", mechanism_, walk, effects);
-    training::TrialSetup trial;
+    training::WalkTrialSetup trial;
     // The searches' own seeds are below 100 million.
     trial.seed = 1'000'000'000 + setup_.seed * 100'000 + first + i;
     trial.tries = 1;
     trial.seconds = 6;
-    results[i] = training::tryWalk(*robot, walk, training::Task::forward, trial);
+    results[i] = training::tryWalk(*robot, walk, training::WalkTrialKind::forward, trial);
   });
   return results;
 }
@@ -163,7 +163,7 @@ BlindCase TrainBench::draw(std::size_t turn) const {
     if (!std::ranges::all_of(truth.effects, [&](const BlindEffect& e) { return walksOn(mechanism_, e); }))
       continue;
     for (int strength = 0; strength < strengths; ++strength) {
-      const std::vector<TrialResult> with =
+      const std::vector<WalkTrialResult> with =
           measure(nominalWalk_, causesOf(truth.effects, mechanism_), drawnBy, firstDrawn);
       std::vector<double> lost;  // of the same tries, in parts of the nominal speed
       for (std::size_t i = 0; i < drawnBy; ++i)
@@ -220,8 +220,8 @@ TrainedRobot TrainBench::robot(std::size_t turn) const {
     train({effects, start_}, folder + "/walk");
     walk = walkIn(folder + "/walk");
   }
-  const std::vector<TrialResult> without = measure(nominalWalk_, truth, setup_.measured),
-                                 with = measure(walk, truth, setup_.measured);
+  const std::vector<WalkTrialResult> without = measure(nominalWalk_, truth, setup_.measured),
+                                     with = measure(walk, truth, setup_.measured);
   for (std::size_t i = 0; i < with.size(); ++i)
     result.differences.push_back(with[i].speed - without[i].speed);
   result.without = meanOf(without);

@@ -31,9 +31,9 @@ struct TrainStart {
 struct TrainedRobot {
   gap::BlindCase truth;
   std::string verdict;
-  std::vector<gap::BlindEffect> found;  ///< what was trained with
-  training::TrialResult without, with;  ///< on the true robot
-  std::vector<double> differences;      ///< of speed, per try [m/s]
+  std::vector<gap::BlindEffect> found;      ///< what was trained with
+  training::WalkTrialResult without, with;  ///< on the true robot
+  std::vector<double> differences;          ///< of speed, per try [m/s]
 };
 
 /// What all robots share: a walk searched on the nominal model. Searched once more on that model it is the
@@ -52,15 +52,17 @@ private:
   void train(const TrainStart& start, const std::string& output) const;
   /// Each try on the true robot, numbered from `first` (its seed): its mean speed [m/s], 0 from a fall on,
   /// and falls.
-  std::vector<training::TrialResult> measure(const walking::WalkGaits& walk, const gap::Explanation& effects,
-                                             std::uint64_t tries, std::uint64_t first = 0) const;
+  std::vector<training::WalkTrialResult> measure(const walking::WalkGaits& walk,
+                                                 const gap::Explanation& effects, std::uint64_t tries,
+                                                 std::uint64_t first = 0) const;
 
   const TrainSetup setup_;
   const Mechanism mechanism_;
   std::string start_;  ///< folder of the walk that the second searches begin with
   walking::WalkGaits nominalWalk_;
   double onNominal_ = 0;
-  std::vector<training::TrialResult> drawnOnNominal_;  ///< tries that robots to be drawn are compared with
+  std::vector<training::WalkTrialResult>
+      drawnOnNominal_;  ///< tries that robots to be drawn are compared with
 };
 
 }  // namespace plumbline::bench

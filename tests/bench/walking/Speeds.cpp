@@ -21,20 +21,20 @@ void measure(const Subject& subject, const BenchSetup& setup, Report& report) {
   const WalkGaits& gaits = subject.gaits;
   std::vector<double> forward, backward, sideways, turn, half, falls, odometry, stops;
   int fallen = 0, runs = 0;
-  const auto add = [&](std::vector<double>& to, Task task, double seconds, double wait, double sign,
+  const auto add = [&](std::vector<double>& to, WalkTrialKind task, double seconds, double wait, double sign,
                        int seed) {
     const HeldSpeed run = holdSpeed(robot, fullSpeed(task, sign), seconds, wait, 0.1 * (seed % lanes));
-    to.push_back(task == Task::turn ? toDegrees(run.speed) : run.speed);
+    to.push_back(task == WalkTrialKind::turn ? toDegrees(run.speed) : run.speed);
     fallen += run.upright ? 0 : 1;
     ++runs;
   };
   for (int seed = 0; seed < setup.seeds; ++seed) {
     Random random(static_cast<std::uint64_t>(1000 + seed));
     const double wait = random.uniform(0.1, 0.6), sign = seed % 2 == 0 ? 1 : -1;
-    add(forward, Task::forward, 60, wait, sign, seed);
-    add(backward, Task::backward, 20, wait, sign, seed);
-    add(sideways, Task::sideways, 20, wait, sign, seed);
-    add(turn, Task::turn, 20, wait, sign, seed);
+    add(forward, WalkTrialKind::forward, 60, wait, sign, seed);
+    add(backward, WalkTrialKind::backward, 20, wait, sign, seed);
+    add(sideways, WalkTrialKind::sideways, 20, wait, sign, seed);
+    add(turn, WalkTrialKind::turn, 20, wait, sign, seed);
 
     robot.restart();
     robot.run({}, wait);
@@ -56,13 +56,13 @@ void measure(const Subject& subject, const BenchSetup& setup, Report& report) {
     }
     stops.push_back(100 * safe);
 
-    TrialSetup trial;
+    WalkTrialSetup trial;
     trial.seed = static_cast<std::uint64_t>(500 + seed);
     trial.tries = 1;
     trial.seconds = 60 * setup.minutes;
     trial.push = 0;
     trial.stopEarly = false;
-    const TrialResult mixture = tryWalk(robot, gaits, Task::mixture, trial);
+    const WalkTrialResult mixture = tryWalk(robot, gaits, WalkTrialKind::mixture, trial);
     falls.push_back(mixture.falls);
     odometry.push_back(100 * mixture.odometry);
   }

@@ -46,7 +46,7 @@ TEST_F(BeforeKickOffTest, everyNumberHasItsPlace) {
   EXPECT_NEAR(at(0, PlayMode::beforeKickOff, 2).beamPose.y(), 2, 1e-12);
 }
 
-TEST_F(BeforeKickOffTest, withoutMatesItStandsNearTheBallAndInATeamAtItsPlace) {
+TEST_F(BeforeKickOffTest, aloneANumberHasAnotherPlaceThanInATeam) {
   harness.input<PlayerRole>().members = 1;
   const double alone = at(0, PlayMode::beforeKickOff, 2).beamPose.y();
   EXPECT_NEAR(alone, 2, 1e-12) << "as without a role";

@@ -25,9 +25,9 @@ TEST(WalkTask, theStartIsTheTypesWalk) {
   WalkTask task(TaskOptions(Options{{"type", "3"}, {"seconds", "4"}}).as<WalkOptions>());
   const TaskOutcome outcome = task.run(walkStart(task), 1);
   WalkingRobot robot(3);
-  const TrialSetup trial{.seed = 1, .tries = 1, .seconds = 4};
-  const TrialResult wanted = tryWalk(robot, readLeagueGaits(3), Task::forward, trial);
-  EXPECT_EQ(outcome.cost, cost(Task::forward, wanted));
+  const WalkTrialSetup trial{.seed = 1, .tries = 1, .seconds = 4};
+  const WalkTrialResult wanted = tryWalk(robot, readLeagueGaits(3), WalkTrialKind::forward, trial);
+  EXPECT_EQ(outcome.cost, walkCost(WalkTrialKind::forward, wanted));
   EXPECT_EQ(outcome.figures[0], (std::pair<std::string, double>("speed", wanted.speed)));
   EXPECT_GT(wanted.speed, 0.3);
 }
@@ -55,7 +55,7 @@ TEST(WalkTask, itsFileIsTheWalkOfTheParameters) {
   std::ofstream(folder + "/walking.yaml") << task.file(x, "Found.\nBy a test.", {});
   const ConfigFile file("walking", {configFolder(), folder});
   const walking::WalkGaits read = walking::readWalkGaits(file.root());
-  const Variable variable = variablesOf(Task::turn)[0];
+  const WalkVariable variable = variablesOf(WalkTrialKind::turn)[0];
   EXPECT_NEAR(valueOf(read, variable), x[0], 1e-4);
   std::filesystem::remove_all(folder);
 }

@@ -24,7 +24,7 @@ int chooseStriker(const std::vector<TeamMember>& members, const Vec2& ball, cons
     if (isGoalie && !atGoal) continue;
     double time = member.timeToBall;
     if (member.role == PlayerRole::striker)
-      time -= parameters.strikerStays;
+      time -= parameters.strikerHysteresis;
     else if (isGoalie)
       time += parameters.goalieWaits;
     if (striker >= 0 && time >= best) continue;

@@ -26,7 +26,7 @@ struct TeamPlan {
 struct TeamPlanParameters {
   PARAMETERS(TeamPlanParameters)
   PARAMETER(int, goalieNumber, 1, "", Range(0, 11), "number of the goalie; 0: none")
-  PARAMETER(double, strikerStays, 0.8, "s", Range(0, 10),
+  PARAMETER(double, strikerHysteresis, 0.8, "s", Range(0, 10),
             "another one must be at the ball sooner by this to become the striker")
   PARAMETER(double, goalieWaits, 0.5, "s", Range(0, 10),
             "the goalie must be at the ball sooner by this than any other to leave the goal for it")
