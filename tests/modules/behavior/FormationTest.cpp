@@ -145,13 +145,14 @@ TEST_F(FormationTest, nobodyStandsInThePenaltyAreaAtTheOpponentsGoalKick) {
                                             reportOf(8, Pose2(-5, 0, 0), 9)};
   harness.input<RobotPose>().pose = Pose2(14, 1, 0);
   harness.input<GameState>().playMode = PlayMode::goalKickOpponent;
-  for (double y = -2; y <= 2; y += 0.5) {
-    ballAt({14, y});
-    const Vec2 place = role().place.position;
-    EXPECT_TRUE(std::abs(place.y()) > field.penaltyWidth / 2 ||
-                place.x() < field.length / 2 - field.penaltyDepth)
-        << y;
-  }
+  for (double x = 11; x < 15; x += 0.5)
+    for (double y = -9.5; y < 10; y += 0.5) {
+      ballAt({x, y});
+      const Vec2 place = role().place.position;
+      EXPECT_TRUE(std::abs(place.y()) > field.penaltyWidth / 2 ||
+                  place.x() < field.length / 2 - field.penaltyDepth)
+          << x << " " << y;
+    }
 }
 
 TEST_F(FormationTest, placesOfASetPieceHoldUntilItIsOver) {
