@@ -42,7 +42,7 @@ void work(FarmClient& client, const StopSignal& stop) {
 }
 
 int runProgram(int argc, char** argv) {
-  farm::ServerAddress server;
+  farm::FarmAddress server;
   std::string name;
   double patience = 30;
   CommandLine app(

@@ -11,7 +11,7 @@ constexpr std::chrono::milliseconds rest{50};
 constexpr double longestSleep = 0.05;  ///< [s]
 }  // namespace
 
-ReplayControl::ReplayControl(std::string path, ReplayOptions options)
+ReplayControl::ReplayControl(std::string path, LogReplayOptions options)
     : path_(std::move(path)), stays_(options.paused), paused_(options.paused), speed_(options.speed) {}
 
 std::size_t ReplayControl::addPlayer(std::vector<std::int64_t> timestamps) {

@@ -10,7 +10,7 @@
 
 namespace plumbline::record {
 
-struct ReplayOptions {
+struct LogReplayOptions {
   double speed = 0;     ///< as fast as the clock of the log times this; 0: as fast as it goes
   bool paused = false;  ///< begins before the first cycle, and stays at the end
 };
@@ -22,7 +22,7 @@ class ReplayControl {
 public:
   using Turn = SpecialModule::Turn;
 
-  ReplayControl(std::string path, ReplayOptions options);
+  ReplayControl(std::string path, LogReplayOptions options);
 
   const std::string& path() const { return path_; }
   /// At the end of the log it waits for a new target instead of ending the agent.

@@ -41,10 +41,8 @@ FormationExpected readFormation(const ConfigSection& section) {
 
 /// A supporter's target has a heading, that of a set piece has none.
 SkillExpected readSkill(const ConfigSection& section, bool hasHeading) {
-  static const std::vector<std::string> skills = {Skill::stand, Skill::moveToPos, Skill::getBall,
-                                                  Skill::kick,  Skill::dribble,   Skill::dive};
   SkillExpected expected;
-  expected.skill = skills[section.choice("skill", skills)];
+  expected.skill = Skill::names[section.choice("skill", {Skill::names.begin(), Skill::names.end()})];
   if (!hasHeading || section.has("target")) {
     if (hasHeading) {
       const Vec3 target = section.get<Vec3>("target", onField);

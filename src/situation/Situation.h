@@ -90,7 +90,7 @@ using Expected = std::variant<std::monostate, StrikerExpected, GoalieExpected, F
 struct Situation {
   std::string about{};  ///< what is so, and why it is decided as expected
   Decider decides = Decider::striker;
-  PlayMode mode = PlayMode::playOn;
+  TeamPlayMode mode = TeamPlayMode::playOn;
   int player = 0;                ///< number of the one whose decision it is; 0: not known
   Pose2 robot{};                 ///< that player; nobody of a block, which is the team's
   std::optional<Pose2> place{};  ///< where the team's plan sends it

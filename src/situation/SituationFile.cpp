@@ -6,7 +6,7 @@
 
 #include "framework/ConfigFile.h"
 #include "math/Angle.h"
-#include "representations/infrastructure/PlayModeNames.h"
+#include "representations/infrastructure/TeamPlayModeNames.h"
 #include "situation/ExpectedFile.h"
 
 namespace plumbline {
@@ -152,7 +152,7 @@ Situation readSituation(const std::string& path) {
               fmt::format("must have {} characters at most, not {}", mostWords, situation.about.size()));
   situation.decides = static_cast<Decider>(root.choice("decides", wordsOf(deciderNames)));
   if (knowsMode(situation.decides) && root.has("mode"))
-    situation.mode = static_cast<PlayMode>(root.choice("mode", wordsOf(playModeNames)));
+    situation.mode = static_cast<TeamPlayMode>(root.choice("mode", wordsOf(teamPlayModeNames)));
   if (situation.decides != Decider::formation && situation.decides != Decider::block)
     situation.player = root.find<int>("player", Range(0, mostPlayers)).value_or(0);
   situation.ball = root.get<Vec2>("ball", places);

@@ -7,7 +7,7 @@
 #include <sstream>
 
 #include "representations/behavior/Skill.h"
-#include "representations/infrastructure/PlayModeNames.h"
+#include "representations/infrastructure/TeamPlayModeNames.h"
 #include "situation/ExpectedFile.h"
 #include "situation/SituationCanvas.h"
 
@@ -193,7 +193,7 @@ std::string situationPicture(const Situation& s, const std::string& name, const 
   drawPlayers(s, players);
   std::vector<std::string> lines = linesOf(s.about);
   std::string title = name;
-  if (s.mode != PlayMode::playOn) title += fmt::format(" ({})", playModeName(s.mode));
+  if (s.mode != TeamPlayMode::playOn) title += fmt::format(" ({})", teamPlayModeName(s.mode));
   const std::string decision = expectedWords(s.expected, s.player);
   lines.push_back("expected: " + (decision.empty() ? "not written yet" : decision));
   constexpr double lineHeight = 18;

@@ -2,7 +2,7 @@
 
 #include "framework/YamlText.h"
 #include "math/Angle.h"
-#include "representations/infrastructure/PlayModeNames.h"
+#include "representations/infrastructure/TeamPlayModeNames.h"
 #include "situation/ExpectedFile.h"
 #include "situation/Rounded.h"
 #include "situation/SituationFile.h"
@@ -60,7 +60,7 @@ std::string situationText(const Situation& s) {
   std::string text = fmt::format("about: {}\ndecides: {}\n", yamlText(s.about),
                                  deciderNames.at(static_cast<std::size_t>(s.decides)));
   const Decider decides = s.decides;
-  if (knowsMode(decides)) text += fmt::format("mode: {}\n", playModeName(s.mode));
+  if (knowsMode(decides)) text += fmt::format("mode: {}\n", teamPlayModeName(s.mode));
   if (decides == Decider::formation) text += teamsText(s);
   if (decides != Decider::formation && decides != Decider::block) {
     if (s.player > 0) text += fmt::format("player: {}\n", s.player);

@@ -71,7 +71,7 @@ std::optional<simulation::FootForce> felt(const std::optional<simspark::ForceRea
 
 }  // namespace
 
-ServerAddress ServerAddress::parse(const std::string& text) {
+SimSparkAddress SimSparkAddress::parse(const std::string& text) {
   if (text == "server") return {};
   const std::size_t second = text.rfind(':'),
                     first = second == std::string::npos || second == 0 ? second : text.rfind(':', second - 1);
@@ -80,9 +80,9 @@ ServerAddress ServerAddress::parse(const std::string& text) {
           portOf(text.substr(second + 1), text)};
 }
 
-std::string ServerAddress::text() const { return fmt::format("{}:{}:{}", host, agentPort, monitorPort); }
+std::string SimSparkAddress::text() const { return fmt::format("{}:{}:{}", host, agentPort, monitorPort); }
 
-ServerRobot::ServerRobot(int type, const ServerAddress& address)
+ServerRobot::ServerRobot(int type, const SimSparkAddress& address)
     : type_(type),
       address_(address),
       alone_(mutexOf(address.text())),

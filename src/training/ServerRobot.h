@@ -16,12 +16,12 @@
 namespace plumbline::training {
 
 /// Where a SimSpark server, the league's or bin/simulator, listens for agents and for trainers.
-struct ServerAddress {
+struct SimSparkAddress {
   std::string host = "127.0.0.1";
   int agentPort = 3100, monitorPort = 3200;
 
   /// From HOST:AGENTPORT:MONITORPORT, or "server" for the usual one. Throws std::invalid_argument, one line.
-  static ServerAddress parse(const std::string& text);
+  static SimSparkAddress parse(const std::string& text);
   std::string text() const;
 };
 
@@ -34,7 +34,7 @@ class ServerRobot {
 public:
   static constexpr double cycleSeconds = 0.02;
 
-  ServerRobot(int type, const ServerAddress& address);
+  ServerRobot(int type, const SimSparkAddress& address);
 
   const simulation::RobotReadings& readings() const { return readings_; }
   const Pose3& torso() const { return T_world_torso_; }
@@ -70,7 +70,7 @@ private:
   std::runtime_error failure(const std::string& what) const;
 
   const int type_;
-  const ServerAddress address_;
+  const SimSparkAddress address_;
   const std::unique_lock<std::mutex> alone_;  ///< among those of this server
   RobotModel model_;
   simspark::Connection agent_;

@@ -9,7 +9,7 @@ namespace plumbline::training {
 /// feels the torso's lean by gyro and accelerometer, as a player does. Errors are ServerRobot's.
 class ServerTrial : public MotionDriver {
 public:
-  ServerTrial(int type, const ServerAddress& address)
+  ServerTrial(int type, const SimSparkAddress& address)
       : MotionDriver(type), robot(type, address), twin_(model) {}
 
   const simulation::RobotReadings& readings() const override { return robot.readings(); }

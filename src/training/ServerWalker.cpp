@@ -12,7 +12,7 @@ constexpr double cycleSeconds = ServerRobot::cycleSeconds;
 
 }  // namespace
 
-ServerWalker::ServerWalker(int type, const walking::WalkGaits& gaits, const ServerAddress& address)
+ServerWalker::ServerWalker(int type, const walking::WalkGaits& gaits, const SimSparkAddress& address)
     : Walker(simsparkRobot(type), gaits, cycleSeconds), robot_(type, address) {
   restart();
 }

@@ -8,7 +8,7 @@ namespace plumbline::training {
 /// its places. Errors are ServerRobot's.
 class ServerWalker : public Walker {
 public:
-  ServerWalker(int type, const walking::WalkGaits& gaits, const ServerAddress& address);
+  ServerWalker(int type, const walking::WalkGaits& gaits, const SimSparkAddress& address);
 
   /// No server pushes or carries robots: throws std::logic_error.
   void push(const Vec3& change) override;

@@ -47,7 +47,7 @@ TEST_F(SituationFileTest, readsWhatAStrikerKnows) {
   const Situation s = read(strikersFile);
   EXPECT_EQ(s.about, "Nobody is near.");
   EXPECT_EQ(s.decides, Decider::striker);
-  EXPECT_EQ(s.mode, PlayMode::playOn);
+  EXPECT_EQ(s.mode, TeamPlayMode::playOn);
   EXPECT_EQ(s.robot.position, Vec2(-0.5, 0));
   EXPECT_EQ(s.robot.heading, 0.1);
   EXPECT_EQ(s.ball, Vec2(0, 0.25));
@@ -75,7 +75,7 @@ TEST_F(SituationFileTest, aPlayersPlaceInTheFormationIsWhatItSaid) {
   const Situation s = read(
       "about: x\ndecides: formation\nmode: kickOffOwn\nball: [0, 0]\nplayer: 3\n"
       "team: [[1, -14, 0, 0, 14], [3, -6, 1, 0.5, 7]]\nexpected: {striker: 3, role: striker}\n");
-  EXPECT_EQ(s.mode, PlayMode::kickOffOwn);
+  EXPECT_EQ(s.mode, TeamPlayMode::kickOffOwn);
   EXPECT_EQ(s.player, 3);
   EXPECT_EQ(s.robot.position, Vec2(-6, 1));
   ASSERT_EQ(s.team.size(), 2u);

@@ -33,7 +33,7 @@ struct SituationOfLogTest : testing::Test {
     ball.valid = true;
     ball.relativeVelocity = {1, 0};
     ball.age = 0.5;
-    game.playMode = PlayMode::cornerOwn;
+    game.playMode = TeamPlayMode::cornerOwn;
     add(false, {4, 0}, 3);
     add(true, {-5, 0}, 2);
     add(true, {-3, 3}, 9);
@@ -118,7 +118,7 @@ TEST_F(SituationOfLogTest, isWhatThePlayerBelievedThen) {
   EXPECT_EQ(s.player, 7);
   EXPECT_EQ(s.robot.position, Vec2(-1, 0));
   EXPECT_EQ(s.ball, Vec2(2, 0.5)) << "of the cycle at that time, or before it";
-  EXPECT_EQ(s.mode, PlayMode::cornerOwn);
+  EXPECT_EQ(s.mode, TeamPlayMode::cornerOwn);
   ASSERT_EQ(s.others.size(), 3u);
   EXPECT_EQ(s.others[0].number, 9) << "whose place is known comes first";
   EXPECT_EQ(s.others[1].number, 2);

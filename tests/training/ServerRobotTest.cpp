@@ -15,17 +15,17 @@ namespace {
 
 std::string refusal(const std::string& text) {
   try {
-    ServerAddress::parse(text);
+    SimSparkAddress::parse(text);
   } catch (const std::invalid_argument& error) {
     return error.what();
   }
   return "";
 }
 
-TEST(ServerAddress, isReadOrRefused) {
-  const ServerAddress usual = ServerAddress::parse("server");
+TEST(SimSparkAddress, isReadOrRefused) {
+  const SimSparkAddress usual = SimSparkAddress::parse("server");
   EXPECT_EQ(usual.text(), "127.0.0.1:3100:3200");
-  EXPECT_EQ(ServerAddress::parse("field.example:4100:4200").text(), "field.example:4100:4200");
+  EXPECT_EQ(SimSparkAddress::parse("field.example:4100:4200").text(), "field.example:4100:4200");
   for (const char* bad : {"", "host", "host:3100", ":3100:3200", "host::3200", "host:3100:0", "host:3100:x",
                           "host:3100:3200 ", "host:70000:3200"})
     EXPECT_EQ(refusal(bad),

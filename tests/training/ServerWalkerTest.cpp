@@ -9,7 +9,7 @@
 namespace plumbline::training {
 namespace {
 
-ServerAddress of(const test::RunningServer& server) {
+SimSparkAddress of(const test::RunningServer& server) {
   return {"127.0.0.1", server.agentPort(), server.monitorPort()};
 }
 

@@ -262,7 +262,7 @@ int serve(Options& options) {
 
 int runProgram(int argc, char** argv) {
   Options options;
-  options.farm.port = farm::ServerAddress::standardPort;
+  options.farm.port = farm::FarmAddress::standardPort;
   CommandLine app("Farms an optimisation out: workers (bin/optworker) take parameters and bring costs.",
                   "optserver");
   app.option("STUDY", options.study, "What is searched and how, as config/optimisation/standUpFront.yaml");

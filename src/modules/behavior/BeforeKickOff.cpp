@@ -15,8 +15,8 @@ void BeforeKickOff::parametersChanged() {
 }
 
 bool BeforeKickOff::ownKickOff() const {
-  if (theGameState->playMode != PlayMode::beforeKickOff)
-    return theGameState->playMode == PlayMode::goalOpponent;
+  if (theGameState->playMode != TeamPlayMode::beforeKickOff)
+    return theGameState->playMode == TeamPlayMode::goalOpponent;
   // The left team begins the game, the other one the second half.
   return thePlayerInfo->leftSide == (theGameState->time < 1);
 }
@@ -36,9 +36,9 @@ Pose2 BeforeKickOff::place() const {
 void BeforeKickOff::update(BeforeKickOffOutput* theBeforeKickOffOutput) {
   BehaviorOutput& output = *theBeforeKickOffOutput;
   output.clear();
-  const PlayMode mode = theGameState->playMode;
-  output.active =
-      mode == PlayMode::beforeKickOff || mode == PlayMode::goalOwn || mode == PlayMode::goalOpponent;
+  const TeamPlayMode mode = theGameState->playMode;
+  output.active = mode == TeamPlayMode::beforeKickOff || mode == TeamPlayMode::goalOwn ||
+                  mode == TeamPlayMode::goalOpponent;
   const Pose2 wanted = place();
   // Again when the first mate was heard, and with it the place has changed.
   if (output.active && (!waiting_ || theFrameInfo->restarted || wanted.position != beamed_))
@@ -47,7 +47,7 @@ void BeforeKickOff::update(BeforeKickOffOutput* theBeforeKickOffOutput) {
   beamed_ = wanted.position;
   if (!output.active) return;
   output.skill = Skill::stand;
-  if (theFrameInfo->time - since_ > beamSeconds || theGameState->playMode == PlayMode::unknown) return;
+  if (theFrameInfo->time - since_ > beamSeconds || theGameState->playMode == TeamPlayMode::unknown) return;
   output.beam = true;
   output.beamPose = wanted;
 }

@@ -56,7 +56,7 @@ std::vector<TeamMember> Formation::members(const PlayerRole& own) const {
 }
 
 void Formation::watchRestart(PlayerRole& role) {
-  const PlayMode mode = theGameState->playMode;
+  const TeamPlayMode mode = theGameState->playMode;
   const double now = theFrameInfo->time;
   const bool near = theBallPos->valid && theBallPos->relative.norm() < kickReach;
   if (theFrameInfo->restarted) takenAt_ = nearAt_ = -1;
@@ -64,13 +64,13 @@ void Formation::watchRestart(PlayerRole& role) {
   if (mode != modeBefore_ && isOwnRestart(mode)) nearAt_ = -1;
   if (near && (isOwnRestart(mode) || isOwnRestart(modeBefore_))) nearAt_ = now;
   const bool takes = nearAt_ >= 0 && now - nearAt_ < wordSeconds;
-  if (isOwnRestart(modeBefore_) && mode == PlayMode::playOn && takes && role.members > 1) takenAt_ = now;
+  if (isOwnRestart(modeBefore_) && mode == TeamPlayMode::playOn && takes && role.members > 1) takenAt_ = now;
   modeBefore_ = mode;
   if (takenAt_ < 0) return;
   const bool touched = std::ranges::any_of(theOtherRobots->robots, [&](const OtherRobot& robot) {
     return (robot.position - theBallPos->field).norm() < touchReach;
   });
-  if (touched || mode != PlayMode::playOn || now - takenAt_ > secondTouchWait) takenAt_ = -1;
+  if (touched || mode != TeamPlayMode::playOn || now - takenAt_ > secondTouchWait) takenAt_ = -1;
 }
 
 Vec2 Formation::keptOff(const Vec2& place) const {
@@ -78,12 +78,13 @@ Vec2 Formation::keptOff(const Vec2& place) const {
   const double clearance = restart ? restartClearance : ballClearance;
   const Vec2 half(theFieldDimensions->length / 2 - inField, theFieldDimensions->width / 2 - inField);
   Vec2 kept = place;
-  if (theGameState->playMode == PlayMode::goalKickOpponent) {
+  if (theGameState->playMode == TeamPlayMode::goalKickOpponent) {
     const double edge = theFieldDimensions->length / 2 - theFieldDimensions->penaltyDepth - inField;
     if (std::abs(kept.y()) < theFieldDimensions->penaltyWidth / 2 + inField)
       kept.x() = std::min(kept.x(), edge);
   }
-  if (theGameState->playMode == PlayMode::kickOffOwn || theGameState->playMode == PlayMode::kickOffOpponent)
+  if (theGameState->playMode == TeamPlayMode::kickOffOwn ||
+      theGameState->playMode == TeamPlayMode::kickOffOpponent)
     kept.x() = std::min(kept.x(), -inField);
   const Vec2 away = kept - ball_;
   if (away.norm() < clearance) {
@@ -111,7 +112,7 @@ const SetPiece* Formation::setPiece() {
     piece_ = now;
     side_.update(now, ball_);
     pieceSeen_ = theFrameInfo->time;
-  } else if (piece_ && (theGameState->playMode != PlayMode::playOn || theFrameInfo->restarted ||
+  } else if (piece_ && (theGameState->playMode != TeamPlayMode::playOn || theFrameInfo->restarted ||
                         theFrameInfo->time - pieceSeen_ > piece_->lasts)) {
     piece_ = nullptr;
     side_ = {};

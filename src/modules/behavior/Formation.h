@@ -75,7 +75,7 @@ private:
   const SetPiece* piece_ = nullptr;  ///< the one whose places hold
   SetPieceSide side_;
   double pieceSeen_ = 0;  ///< its mode was the referee's last [s]
-  PlayMode modeBefore_ = PlayMode::unknown;
+  TeamPlayMode modeBefore_ = TeamPlayMode::unknown;
   double nearAt_ = -1;   ///< when the ball was in reach last in an own restart; negative: never [s]
   double takenAt_ = -1;  ///< when this player took a restart; negative: it did not [s]
 };

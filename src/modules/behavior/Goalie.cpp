@@ -58,7 +58,7 @@ void Goalie::update(GoalieOutput* theGoalieOutput) {
   BehaviorOutput& output = *theGoalieOutput;
   output.clear();
   const bool plays =
-      theGameState->playMode != PlayMode::gameOver && theGameState->playMode != PlayMode::unknown;
+      theGameState->playMode != TeamPlayMode::gameOver && theGameState->playMode != TeamPlayMode::unknown;
   const bool keeps = plays && thePlayerRole->role == PlayerRole::goalie;
   if (!keeps && !(plays && thePlayerRole->keeper)) {
     standing_ = false;

@@ -9,7 +9,7 @@ MAKE_MODULE(PassCall)
 void PassCall::update(PassRequest* thePassRequest) {
   const PlayerRole& role = *thePlayerRole;
   const Vec2& ball = theBallPos->field;
-  thePassRequest->active = theGameState->playMode == PlayMode::playOn && role.members > 1 &&
+  thePassRequest->active = theGameState->playMode == TeamPlayMode::playOn && role.members > 1 &&
                            role.role == PlayerRole::striker && role.mayTouchBall && theRobotPose->valid &&
                            theBallPos->valid && theBallPos->relative.norm() < reach &&
                            (theFieldDimensions->opponentGoal() - ball).norm() > goalDistance &&

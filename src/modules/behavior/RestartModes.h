@@ -4,15 +4,15 @@
 namespace plumbline {
 
 /// Whether the opponents bring the ball into play, so that the own team keeps its distance.
-inline bool isOpponentRestart(PlayMode mode) {
+inline bool isOpponentRestart(TeamPlayMode mode) {
   switch (mode) {
-    case PlayMode::kickOffOpponent:
-    case PlayMode::kickInOpponent:
-    case PlayMode::cornerOpponent:
-    case PlayMode::goalKickOpponent:
-    case PlayMode::freeKickOpponent:
-    case PlayMode::directFreeKickOpponent:
-    case PlayMode::passOpponent:
+    case TeamPlayMode::kickOffOpponent:
+    case TeamPlayMode::kickInOpponent:
+    case TeamPlayMode::cornerOpponent:
+    case TeamPlayMode::goalKickOpponent:
+    case TeamPlayMode::freeKickOpponent:
+    case TeamPlayMode::directFreeKickOpponent:
+    case TeamPlayMode::passOpponent:
       return true;
     default:
       return false;
@@ -20,14 +20,14 @@ inline bool isOpponentRestart(PlayMode mode) {
 }
 
 /// Whether the own team brings it into play; who does must not be the next to touch it.
-inline bool isOwnRestart(PlayMode mode) {
+inline bool isOwnRestart(TeamPlayMode mode) {
   switch (mode) {
-    case PlayMode::kickOffOwn:
-    case PlayMode::kickInOwn:
-    case PlayMode::cornerOwn:
-    case PlayMode::goalKickOwn:
-    case PlayMode::freeKickOwn:
-    case PlayMode::directFreeKickOwn:
+    case TeamPlayMode::kickOffOwn:
+    case TeamPlayMode::kickInOwn:
+    case TeamPlayMode::cornerOwn:
+    case TeamPlayMode::goalKickOwn:
+    case TeamPlayMode::freeKickOwn:
+    case TeamPlayMode::directFreeKickOwn:
       return true;
     default:
       return false;

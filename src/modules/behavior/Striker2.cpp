@@ -52,7 +52,7 @@ StrikerSituation Striker2::situation() const {
   situation.ballRadius = theFieldDimensions->ballRadius;
   if (theOtherRobots) situation.others = theOtherRobots->robots;
   if (theTeamPlaces) situation.places = *theTeamPlaces;
-  if (theGameState->playMode == PlayMode::passOwn)
+  if (theGameState->playMode == TeamPlayMode::passOwn)
     situation.freeSeconds = std::max(0.0, passSeconds - (theGameState->time - passSince_));
   situation.opponentSpeed = theOppInfo ? theOppInfo->walkSpeed : time.walkSpeed;
   return situation;
@@ -82,7 +82,7 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
   output.active = true;
   output.skill = Skill::stand;
   plays_ = false;
-  if (theGameState->playMode != PlayMode::passOwn) passSince_ = theGameState->time;
+  if (theGameState->playMode != TeamPlayMode::passOwn) passSince_ = theGameState->time;
   // A goalie or supporter acts by its own behaviour, which comes before this one in modules.cfg: nothing is
   // worked out for it.
   if (thePlayerRole && thePlayerRole->members > 1 &&
@@ -90,7 +90,8 @@ void Striker2::update(StrikerOutput* theStrikerOutput) {
     action_ = {};
     return;
   }
-  if (theGameState->playMode == PlayMode::gameOver || theGameState->playMode == PlayMode::unknown) return;
+  if (theGameState->playMode == TeamPlayMode::gameOver || theGameState->playMode == TeamPlayMode::unknown)
+    return;
 
   const Pose2& robot = theRobotPose->pose;
   if (!theRobotPose->valid || !theBallPos->valid || theBallPos->age > ballMaxAge) {

@@ -12,8 +12,8 @@ void Supporter::update(SupporterOutput* theSupporterOutput) {
   // A player that must not touch the ball again waits like a supporter, whatever its role.
   const bool waits = thePlayerRole->role == PlayerRole::striker && !thePlayerRole->mayTouchBall;
   output.active = (thePlayerRole->supports() || waits || thePlayerRole->role == PlayerRole::none) &&
-                  thePlayerRole->members > 1 && theGameState->playMode != PlayMode::gameOver &&
-                  theGameState->playMode != PlayMode::unknown;
+                  thePlayerRole->members > 1 && theGameState->playMode != TeamPlayMode::gameOver &&
+                  theGameState->playMode != TeamPlayMode::unknown;
   if (!output.active) {
     standing_ = false;
     return;

@@ -69,7 +69,7 @@ void DecisionRecorder::execute() {
   if (folder_.empty() || lines_ >= maxLines) return;
   if (!theStrikerDecision->valid || theStrikerDecision->options.empty()) return;
   // The game's clock is stopped until then, so moments could not be distinguished.
-  if (theGameState->playMode == PlayMode::beforeKickOff) return;
+  if (theGameState->playMode == TeamPlayMode::beforeKickOff) return;
   // The file is named by both.
   if (!thePlayerInfo->sideKnown || thePlayerInfo->number < 1) return;
   if (due()) write();

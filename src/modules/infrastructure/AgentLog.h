@@ -16,7 +16,7 @@ class Controller;
 struct AgentLogOptions {
   std::string folder, replay;
   std::vector<std::string> only, compute;
-  record::ReplayOptions replayed;
+  record::LogReplayOptions replayed;
   bool waits = false;  ///< rather than to drop a cycle
 
   bool records() const { return !folder.empty(); }

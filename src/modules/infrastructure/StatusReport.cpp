@@ -46,7 +46,7 @@ const MotionOutput* StatusReport::motion() const {
 void StatusReport::execute() {
   if (!wanted_ || theFrameInfo->time < next_) return;
   // Nothing has been heard of the game yet.
-  if (theGameState->playMode == PlayMode::unknown && theFrameInfo->time == 0) return;
+  if (theGameState->playMode == TeamPlayMode::unknown && theFrameInfo->time == 0) return;
   next_ = std::floor(theFrameInfo->time) + 1;
   const bool searching = !theRobotPose->valid || !theBallPos->valid;
   const MotionSelection& selection = *theMotionSelection;

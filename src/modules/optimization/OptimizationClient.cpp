@@ -48,7 +48,7 @@ OptimizationClient::OptimizationClient() = default;
 OptimizationClient::~OptimizationClient() = default;
 
 void OptimizationClient::connect() {
-  auto client = std::make_unique<farm::FarmClient>(farm::ServerAddress{host, port, token},
+  auto client = std::make_unique<farm::FarmClient>(farm::FarmAddress{host, port, token},
                                                    "agent-" + std::to_string(getpid()), stopDescriptor());
   const farm::Welcome& welcome = client->welcome();
   const auto& options = welcome.options;

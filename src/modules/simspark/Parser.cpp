@@ -190,37 +190,37 @@ void Parser::update(GroundTruth* theGroundTruth) {
   theGroundTruth->ball = T_field_world * message_.groundTruth->ball;
 }
 
-PlayMode playModeOf(const std::string& word, bool leftSide) {
+TeamPlayMode playModeOf(const std::string& word, bool leftSide) {
   struct Mode {
     const char* word;
-    PlayMode ofLeft, ofRight;  ///< as the left and as the right team sees it
+    TeamPlayMode ofLeft, ofRight;  ///< as the left and as the right team sees it
   };
   static constexpr std::array<Mode, 21> modes = {{
-      {"BeforeKickOff", PlayMode::beforeKickOff, PlayMode::beforeKickOff},
-      {"KickOff_Left", PlayMode::kickOffOwn, PlayMode::kickOffOpponent},
-      {"KickOff_Right", PlayMode::kickOffOpponent, PlayMode::kickOffOwn},
-      {"PlayOn", PlayMode::playOn, PlayMode::playOn},
-      {"KickIn_Left", PlayMode::kickInOwn, PlayMode::kickInOpponent},
-      {"KickIn_Right", PlayMode::kickInOpponent, PlayMode::kickInOwn},
-      {"corner_kick_left", PlayMode::cornerOwn, PlayMode::cornerOpponent},
-      {"corner_kick_right", PlayMode::cornerOpponent, PlayMode::cornerOwn},
-      {"goal_kick_left", PlayMode::goalKickOwn, PlayMode::goalKickOpponent},
-      {"goal_kick_right", PlayMode::goalKickOpponent, PlayMode::goalKickOwn},
-      {"offside_left", PlayMode::offsideOwn, PlayMode::offsideOpponent},
-      {"offside_right", PlayMode::offsideOpponent, PlayMode::offsideOwn},
-      {"GameOver", PlayMode::gameOver, PlayMode::gameOver},
-      {"Goal_Left", PlayMode::goalOwn, PlayMode::goalOpponent},
-      {"Goal_Right", PlayMode::goalOpponent, PlayMode::goalOwn},
-      {"free_kick_left", PlayMode::freeKickOwn, PlayMode::freeKickOpponent},
-      {"free_kick_right", PlayMode::freeKickOpponent, PlayMode::freeKickOwn},
-      {"direct_free_kick_left", PlayMode::directFreeKickOwn, PlayMode::directFreeKickOpponent},
-      {"direct_free_kick_right", PlayMode::directFreeKickOpponent, PlayMode::directFreeKickOwn},
-      {"pass_left", PlayMode::passOwn, PlayMode::passOpponent},
-      {"pass_right", PlayMode::passOpponent, PlayMode::passOwn},
+      {"BeforeKickOff", TeamPlayMode::beforeKickOff, TeamPlayMode::beforeKickOff},
+      {"KickOff_Left", TeamPlayMode::kickOffOwn, TeamPlayMode::kickOffOpponent},
+      {"KickOff_Right", TeamPlayMode::kickOffOpponent, TeamPlayMode::kickOffOwn},
+      {"PlayOn", TeamPlayMode::playOn, TeamPlayMode::playOn},
+      {"KickIn_Left", TeamPlayMode::kickInOwn, TeamPlayMode::kickInOpponent},
+      {"KickIn_Right", TeamPlayMode::kickInOpponent, TeamPlayMode::kickInOwn},
+      {"corner_kick_left", TeamPlayMode::cornerOwn, TeamPlayMode::cornerOpponent},
+      {"corner_kick_right", TeamPlayMode::cornerOpponent, TeamPlayMode::cornerOwn},
+      {"goal_kick_left", TeamPlayMode::goalKickOwn, TeamPlayMode::goalKickOpponent},
+      {"goal_kick_right", TeamPlayMode::goalKickOpponent, TeamPlayMode::goalKickOwn},
+      {"offside_left", TeamPlayMode::offsideOwn, TeamPlayMode::offsideOpponent},
+      {"offside_right", TeamPlayMode::offsideOpponent, TeamPlayMode::offsideOwn},
+      {"GameOver", TeamPlayMode::gameOver, TeamPlayMode::gameOver},
+      {"Goal_Left", TeamPlayMode::goalOwn, TeamPlayMode::goalOpponent},
+      {"Goal_Right", TeamPlayMode::goalOpponent, TeamPlayMode::goalOwn},
+      {"free_kick_left", TeamPlayMode::freeKickOwn, TeamPlayMode::freeKickOpponent},
+      {"free_kick_right", TeamPlayMode::freeKickOpponent, TeamPlayMode::freeKickOwn},
+      {"direct_free_kick_left", TeamPlayMode::directFreeKickOwn, TeamPlayMode::directFreeKickOpponent},
+      {"direct_free_kick_right", TeamPlayMode::directFreeKickOpponent, TeamPlayMode::directFreeKickOwn},
+      {"pass_left", TeamPlayMode::passOwn, TeamPlayMode::passOpponent},
+      {"pass_right", TeamPlayMode::passOpponent, TeamPlayMode::passOwn},
   }};
   for (const Mode& mode : modes)
     if (word == mode.word) return leftSide ? mode.ofLeft : mode.ofRight;
-  return PlayMode::unknown;
+  return TeamPlayMode::unknown;
 }
 
 }  // namespace plumbline

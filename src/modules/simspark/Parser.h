@@ -67,6 +67,6 @@ private:
 
 /// The referee's play mode ("KickOff_Left", ...) as the team on that side sees it; unknown for a word that is
 /// none.
-PlayMode playModeOf(const std::string& word, bool leftSide);
+TeamPlayMode playModeOf(const std::string& word, bool leftSide);
 
 }  // namespace plumbline

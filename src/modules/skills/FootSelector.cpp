@@ -26,8 +26,7 @@ void FootSelector::update(ActiveFoot* theActiveFoot) {
     }
     if (nearest) side += std::copysign(screenShift, left.dot(nearest->position - ball));
   }
-  if (side > hysteresis) theActiveFoot->foot = Side::right;
-  if (side < -hysteresis) theActiveFoot->foot = Side::left;
+  theActiveFoot->foot = footFor(side, theActiveFoot->foot, foot);
 }
 
 }  // namespace plumbline

@@ -6,6 +6,7 @@
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/ActiveFoot.h"
 #include "representations/skills/SkillOutput.h"
+#include "tactics/approach/FootChoice.h"
 
 namespace plumbline {
 
@@ -16,8 +17,7 @@ MODULE(FootSelector)
   REQUIRES(BallPos)
   REQUIRES_IF_PROVIDED(OtherRobots)
   PROVIDES(ActiveFoot)
-  PARAMETER(double, hysteresis, 0.03, "m", Range(0, 1),
-            "the robot has to be this far on the other side of the ball's way before the foot changes")
+  PARAMETER_GROUP(FootChoiceParameters, foot, "which foot plays the ball")
   PARAMETER(double, opponentDistance, 0.8, "m", Range(0, 5),
             "an opponent this near to the ball is screened off")
   PARAMETER(double, screenShift, 0.04, "m", Range(0, 1),

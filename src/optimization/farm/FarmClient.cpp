@@ -10,7 +10,7 @@ namespace {
 constexpr double patience = 10;  ///< for the server's first line [s]
 constexpr std::size_t mostUnsent = 4 * maxLine;
 
-std::string placeOf(const ServerAddress& server) { return server.host + ':' + std::to_string(server.port); }
+std::string placeOf(const FarmAddress& server) { return server.host + ':' + std::to_string(server.port); }
 
 bool isReadable(int descriptor) {
   pollfd one{descriptor, POLLIN, 0};
@@ -19,7 +19,7 @@ bool isReadable(int descriptor) {
 
 }  // namespace
 
-FarmClient::FarmClient(const ServerAddress& server, const std::string& name, int stopDescriptor)
+FarmClient::FarmClient(const FarmAddress& server, const std::string& name, int stopDescriptor)
     : place_("the optimisation server at " + placeOf(server)),
       stopDescriptor_(stopDescriptor),
       socket_(connectTo(server.host, server.port, stopDescriptor), maxLine, mostUnsent) {
@@ -73,7 +73,7 @@ void FarmClient::tell(const Trial& trial, std::span<const double> costs,
   socket_.send(text(Answer{trial.number, {costs.begin(), costs.end()}, figures}));
 }
 
-std::string readStatus(const ServerAddress& server) {
+std::string readStatus(const FarmAddress& server) {
   LineSocket socket(connectTo(server.host, server.port), maxLine, mostUnsent);
   socket.send(text(Hello{Hello::Role::status, "status", server.token}));
   std::string line;

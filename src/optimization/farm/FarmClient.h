@@ -7,7 +7,7 @@
 
 namespace plumbline::farm {
 
-struct ServerAddress {
+struct FarmAddress {
   static constexpr int standardPort = 3400;
   std::string host = "127.0.0.1";
   int port = standardPort;
@@ -20,7 +20,7 @@ class FarmClient final : public ParameterSource {
 public:
   /// Connects, says its name and waits for the server's welcome. Throws std::runtime_error, also when
   /// `stopDescriptor` becomes readable, which ends every wait; -1: nothing does.
-  FarmClient(const ServerAddress& server, const std::string& name, int stopDescriptor = -1);
+  FarmClient(const FarmAddress& server, const std::string& name, int stopDescriptor = -1);
 
   const Welcome& welcome() const { return welcome_; }
   std::optional<Trial> next(double seconds) override;
@@ -42,6 +42,6 @@ private:
 };
 
 /// What a server says of its search, as JSON in one line. Errors as above.
-std::string readStatus(const ServerAddress& server);
+std::string readStatus(const FarmAddress& server);
 
 }  // namespace plumbline::farm

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 
 namespace plumbline {
 
@@ -12,6 +13,7 @@ struct Skill {
   static constexpr const char* kick = "kick";
   static constexpr const char* dribble = "dribble";
   static constexpr const char* dive = "dive";
+  static constexpr std::array names = {stand, moveToPos, getBall, kick, dribble, dive};
 };
 
 }  // namespace plumbline

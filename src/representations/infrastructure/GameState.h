@@ -5,7 +5,7 @@
 
 namespace plumbline {
 
-enum class PlayMode : std::uint8_t {
+enum class TeamPlayMode : std::uint8_t {
   beforeKickOff,
   kickOffOwn,
   kickOffOpponent,
@@ -34,7 +34,7 @@ enum class PlayMode : std::uint8_t {
 REPRESENTATION(GameState)
 class GameState : public GameStateBase {
 public:
-  PlayMode playMode = PlayMode::unknown;
+  TeamPlayMode playMode = TeamPlayMode::unknown;
   double time = 0;  ///< game clock [s]
   int ownScore = 0;
   int opponentScore = 0;

@@ -12,6 +12,7 @@
 #include "framework/ConfigurationError.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
+#include "tactics/approach/FootChoice.h"
 #include "walking/planning/SpeedLimits.h"
 
 namespace plumbline::training {
@@ -21,7 +22,6 @@ constexpr double mostSeconds = 20;      // for the way to the ball
 constexpr double mostPerMetre = 2;      // and so many more for each metre of it beyond `start` [s]
 constexpr double kickedSpeed = 0.3;     // of a ball that was kicked [m/s]
 constexpr double cameraOffset = 0.005;  // at most, in every image of a run, as the league's [m]
-constexpr double changesFoot = 0.03;    // FootSelector's `hysteresis` [m]
 constexpr int cyclesAfter = 10;         // after the kick, before the ball goes on alone
 const Vec2 ballPlace(-6, 0);            // nothing stands in the way of a ball that is kicked from here [m]
 
@@ -69,6 +69,7 @@ struct PositioningTask::Walk {
   bool right = true;
   double seconds = 0;  ///< until the ball is kicked [s]
   bool fell = false;
+  FootChoiceParameters footChoice{};
   double there = -1;  ///< time at which the ball first lay right [s]; -1: never
   int lost = 0;       ///< times that it then did no more before the robot stood
 
@@ -79,7 +80,7 @@ struct PositioningTask::Walk {
 
   void chooseFoot() {
     const double left = (robot().position - ball()).y();  // the ball is to go along x
-    if (std::abs(left) > changesFoot) right = left > 0;
+    right = footFor(left, right ? Side::right : Side::left, footChoice) == Side::right;
   }
   /// A cycle of the walk; true once the robot stands and kicks.
   bool step() {

@@ -70,7 +70,7 @@ public:
   Tables(int tries, std::uint64_t seed) : tries_(tries), seed_(seed) {}
 
   /// All motions of a type; what is measured is written after each of them.
-  void add(const std::string& server, const training::ServerAddress& address, int type) {
+  void add(const std::string& server, const training::SimSparkAddress& address, int type) {
     training::ServerTrial trial(type, address);
     for (const auto& [motion, direction] : {std::pair{"standUpFront", 1},
                                             {"standUpFrontFast", 1},
@@ -158,12 +158,12 @@ int run() {
   if (types.find_first_not_of("01234 ") != std::string::npos)
     throw std::runtime_error("TYPES=" + types + " are no robot types; write some of 0 1 2 3 4");
   Tables tables(static_cast<int>(environment("TRIES", 100)), environment("SEED", 1));
-  const auto measure = [&](const std::string& name, const training::ServerAddress& address) {
+  const auto measure = [&](const std::string& name, const training::SimSparkAddress& address) {
     std::istringstream each(types);
     for (int type = 0; each >> type;) tables.add(name, address, type);
   };
   // First the league's: without agents its clock would run on as fast as it can.
-  if (server != "none") measure("server", training::ServerAddress::parse(server));
+  if (server != "none") measure("server", training::SimSparkAddress::parse(server));
   test::RunningServer embedded(test::inStep());
   measure("embedded", {"127.0.0.1", embedded.agentPort(), embedded.monitorPort()});
   return 0;

@@ -32,7 +32,7 @@ Subject leagueRobot(int type, bool plain) {
 /// type0@server, type3_plain@HOST:AGENTPORT:MONITORPORT: the same robot on a SimSpark server.
 Subject onServer(const std::string& name) {
   const std::size_t at = name.find('@');
-  const training::ServerAddress server = training::ServerAddress::parse(name.substr(at + 1));
+  const training::SimSparkAddress server = training::SimSparkAddress::parse(name.substr(at + 1));
   Subject subject = subjectOf(name.substr(0, at));
   if (!subject.name.starts_with("type")) throw std::invalid_argument("no server has a robot '" + name + "'");
   const int type = subject.name[4] - '0';

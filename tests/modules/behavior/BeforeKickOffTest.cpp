@@ -9,7 +9,7 @@ using namespace plumbline;
 namespace {
 
 struct BeforeKickOffTest : testing::Test {
-  const BehaviorOutput& at(double time, PlayMode mode, int number = 1) {
+  const BehaviorOutput& at(double time, TeamPlayMode mode, int number = 1) {
     harness.input<FrameInfo>().time = time;
     harness.input<GameState>().playMode = mode;
     harness.input<PlayerInfo>().number = number;
@@ -20,38 +20,38 @@ struct BeforeKickOffTest : testing::Test {
 };
 
 TEST_F(BeforeKickOffTest, beamsForHalfASecondAndThenWaits) {
-  EXPECT_TRUE(at(10.0, PlayMode::beforeKickOff).beam);
-  EXPECT_NEAR(at(10.2, PlayMode::beforeKickOff).beamPose.x(), -0.5, 1e-12);
-  EXPECT_TRUE(at(10.5, PlayMode::beforeKickOff).beam);
-  EXPECT_FALSE(at(10.6, PlayMode::beforeKickOff).beam);
-  EXPECT_EQ(at(10.7, PlayMode::beforeKickOff).skill, Skill::stand);
+  EXPECT_TRUE(at(10.0, TeamPlayMode::beforeKickOff).beam);
+  EXPECT_NEAR(at(10.2, TeamPlayMode::beforeKickOff).beamPose.x(), -0.5, 1e-12);
+  EXPECT_TRUE(at(10.5, TeamPlayMode::beforeKickOff).beam);
+  EXPECT_FALSE(at(10.6, TeamPlayMode::beforeKickOff).beam);
+  EXPECT_EQ(at(10.7, TeamPlayMode::beforeKickOff).skill, Skill::stand);
 }
 
 TEST_F(BeforeKickOffTest, isSilentInPlayAndBeamsAgainAfterAGoal) {
-  EXPECT_TRUE(at(1, PlayMode::beforeKickOff).active);
-  EXPECT_FALSE(at(2, PlayMode::playOn).active);
-  EXPECT_TRUE(at(30, PlayMode::goalOwn).beam);
-  EXPECT_TRUE(at(30.02, PlayMode::goalOpponent).beam);
+  EXPECT_TRUE(at(1, TeamPlayMode::beforeKickOff).active);
+  EXPECT_FALSE(at(2, TeamPlayMode::playOn).active);
+  EXPECT_TRUE(at(30, TeamPlayMode::goalOwn).beam);
+  EXPECT_TRUE(at(30.02, TeamPlayMode::goalOpponent).beam);
 }
 
 TEST_F(BeforeKickOffTest, beamsAgainOnANewSimulator) {
-  at(10, PlayMode::beforeKickOff);
-  EXPECT_FALSE(at(20, PlayMode::beforeKickOff).beam);
+  at(10, TeamPlayMode::beforeKickOff);
+  EXPECT_FALSE(at(20, TeamPlayMode::beforeKickOff).beam);
   harness.input<FrameInfo>().restarted = true;
-  EXPECT_TRUE(at(0.1, PlayMode::beforeKickOff).beam);
+  EXPECT_TRUE(at(0.1, TeamPlayMode::beforeKickOff).beam);
 }
 
 TEST_F(BeforeKickOffTest, everyNumberHasItsPlace) {
-  EXPECT_NEAR(at(0, PlayMode::beforeKickOff, 11).beamPose.x(), -14, 1e-12);
-  EXPECT_NEAR(at(0, PlayMode::beforeKickOff, 2).beamPose.y(), 2, 1e-12);
+  EXPECT_NEAR(at(0, TeamPlayMode::beforeKickOff, 11).beamPose.x(), -14, 1e-12);
+  EXPECT_NEAR(at(0, TeamPlayMode::beforeKickOff, 2).beamPose.y(), 2, 1e-12);
 }
 
 TEST_F(BeforeKickOffTest, aloneANumberHasAnotherPlaceThanInATeam) {
   harness.input<PlayerRole>().members = 1;
-  const double alone = at(0, PlayMode::beforeKickOff, 2).beamPose.y();
+  const double alone = at(0, TeamPlayMode::beforeKickOff, 2).beamPose.y();
   EXPECT_NEAR(alone, 2, 1e-12) << "as without a role";
   harness.input<PlayerRole>().members = 11;
-  EXPECT_NE(at(0.02, PlayMode::beforeKickOff, 2).beamPose.y(), alone);
+  EXPECT_NE(at(0.02, TeamPlayMode::beforeKickOff, 2).beamPose.y(), alone);
 }
 
 }  // namespace

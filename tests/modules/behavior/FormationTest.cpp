@@ -17,7 +17,7 @@ struct FormationTest : testing::Test {
   FormationTest() { setUp(harness, 3); }
   static void setUp(test::ModuleHarness<Formation>& one, int number) {
     one.input<PlayerInfo>().number = number;
-    one.input<GameState>().playMode = PlayMode::playOn;
+    one.input<GameState>().playMode = TeamPlayMode::playOn;
     one.input<RobotPose>().valid = true;
     one.input<BallPos>().valid = true;
     one.input<FrameInfo>().time = 30;
@@ -123,9 +123,9 @@ TEST_F(FormationTest, supportersKeepOffTheBallAndFartherAtTheOpponentsRestarts) 
   for (double x = -14.9; x < 15; x += 1.3)
     for (double y = -9.9; y < 10; y += 1.7) {
       ballAt({x, y});
-      harness.input<GameState>().playMode = PlayMode::playOn;
+      harness.input<GameState>().playMode = TeamPlayMode::playOn;
       EXPECT_GT((role().place.position - Vec2(x, y)).norm(), 1) << x << " " << y;
-      harness.input<GameState>().playMode = PlayMode::kickInOpponent;
+      harness.input<GameState>().playMode = TeamPlayMode::kickInOpponent;
       EXPECT_GT((role().place.position - Vec2(x, y)).norm(), 1.9) << x << " " << y;
     }
 }
@@ -135,7 +135,7 @@ TEST_F(FormationTest, allStayInTheirHalfUntilAKickOffIsTaken) {
                                             reportOf(8, Pose2(-5, 0, 0), 9)};
   harness.input<RobotPose>().pose = Pose2(1, 3, 0);
   ballAt({0, 0});
-  harness.input<GameState>().playMode = PlayMode::kickOffOpponent;
+  harness.input<GameState>().playMode = TeamPlayMode::kickOffOpponent;
   EXPECT_LT(role().place.position.x(), 0);
 }
 
@@ -144,7 +144,7 @@ TEST_F(FormationTest, nobodyStandsInThePenaltyAreaAtTheOpponentsGoalKick) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(13, 0, 0), 0.5),
                                             reportOf(8, Pose2(-5, 0, 0), 9)};
   harness.input<RobotPose>().pose = Pose2(14, 1, 0);
-  harness.input<GameState>().playMode = PlayMode::goalKickOpponent;
+  harness.input<GameState>().playMode = TeamPlayMode::goalKickOpponent;
   for (double x = 11; x < 15; x += 0.5)
     for (double y = -9.5; y < 10; y += 0.5) {
       ballAt({x, y});
@@ -159,17 +159,17 @@ TEST_F(FormationTest, placesOfASetPieceHoldUntilItIsOver) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(15, 10, 0), 0.5)};
   harness.input<RobotPose>().pose = Pose2(12, 2, 0);
   ballAt({15, 10});
-  harness.input<GameState>().playMode = PlayMode::cornerOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::cornerOwn;
   const Vec2 nearPost = role().place.position;
   EXPECT_EQ(nearPost, Vec2(13.6, 1.4)) << "config/set_pieces/cornerOwn.yaml";
-  harness.input<GameState>().playMode = PlayMode::playOn;
+  harness.input<GameState>().playMode = TeamPlayMode::playOn;
   EXPECT_EQ(role().place.position, nearPost);
   harness.input<FrameInfo>().time += 10;
   EXPECT_NE(role().place.position, nearPost) << "the formation's own place";
   // Any other mode ends it at once.
-  harness.input<GameState>().playMode = PlayMode::cornerOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::cornerOwn;
   role();
-  harness.input<GameState>().playMode = PlayMode::offsideOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::offsideOwn;
   EXPECT_NE(role().place.position, nearPost);
 }
 
@@ -191,10 +191,10 @@ TEST_F(FormationTest, whoTookARestartWaitsUntilAnotherOneTouchesTheBall) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
   harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
   ballAt({0, 0});
-  harness.input<GameState>().playMode = PlayMode::kickInOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::kickInOwn;
   EXPECT_TRUE(role().mayTouchBall);
   EXPECT_EQ(role().role, PlayerRole::striker);
-  harness.input<GameState>().playMode = PlayMode::playOn;
+  harness.input<GameState>().playMode = TeamPlayMode::playOn;
   EXPECT_FALSE(role().mayTouchBall);
   EXPECT_EQ(role().role, PlayerRole::supporter);
   OtherRobot& robot = harness.input<OtherRobots>().robots.emplace_back();
@@ -203,9 +203,9 @@ TEST_F(FormationTest, whoTookARestartWaitsUntilAnotherOneTouchesTheBall) {
   // A player that was not at the ball did not take it.
   harness.input<OtherRobots>().robots.clear();
   ballAt({5, 5});
-  harness.input<GameState>().playMode = PlayMode::kickInOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::kickInOwn;
   role();
-  harness.input<GameState>().playMode = PlayMode::playOn;
+  harness.input<GameState>().playMode = TeamPlayMode::playOn;
   EXPECT_TRUE(role().mayTouchBall);
 }
 
@@ -213,11 +213,11 @@ TEST_F(FormationTest, whoTookARestartKnowsItThoughTheBallIsAwayWhenPlayIsOn) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
   harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
   ballAt({0, 0});
-  harness.input<GameState>().playMode = PlayMode::kickOffOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::kickOffOwn;
   role();
   ballAt({0.9, 0});  // a hard kick, seen before the play mode
   role();
-  harness.input<GameState>().playMode = PlayMode::playOn;
+  harness.input<GameState>().playMode = TeamPlayMode::playOn;
   EXPECT_FALSE(role().mayTouchBall);
 }
 
@@ -225,9 +225,9 @@ TEST_F(FormationTest, waitsForNoTouchLongerThanItMust) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(-5, 0, 0), 6)};
   harness.input<RobotPose>().pose = Pose2(-0.2, 0, 0);
   ballAt({0, 0});
-  harness.input<GameState>().playMode = PlayMode::cornerOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::cornerOwn;
   role();
-  harness.input<GameState>().playMode = PlayMode::playOn;
+  harness.input<GameState>().playMode = TeamPlayMode::playOn;
   EXPECT_FALSE(role().mayTouchBall);
   harness.input<FrameInfo>().time += 4.1;
   EXPECT_TRUE(role().mayTouchBall);

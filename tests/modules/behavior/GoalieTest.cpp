@@ -12,7 +12,7 @@ namespace {
 struct GoalieTest : testing::Test {
   GoalieTest() {
     harness.input<FrameInfo>().cycleSeconds = 0.02;
-    harness.input<GameState>().playMode = PlayMode::playOn;
+    harness.input<GameState>().playMode = TeamPlayMode::playOn;
     harness.input<FieldDimensions>();
     harness.input<RobotPose>().valid = true;
     harness.input<RobotPose>().pose = Pose2(-10, 8, 0);

@@ -13,7 +13,7 @@ namespace {
 /// A striker at the ball in the middle of the field, an opponent on its way there.
 struct PassCallTest : testing::Test {
   PassCallTest() {
-    harness.input<GameState>().playMode = PlayMode::playOn;
+    harness.input<GameState>().playMode = TeamPlayMode::playOn;
     PlayerRole& role = harness.input<PlayerRole>();
     role.role = PlayerRole::striker;
     role.members = 4;
@@ -46,9 +46,9 @@ TEST_F(PassCallTest, asksOnlyAtTheBallAndInPlay) {
   EXPECT_FALSE(asks());
   harness.input<BallPos>().relative = {0.3, 0};
   EXPECT_TRUE(asks());
-  harness.input<GameState>().playMode = PlayMode::passOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::passOwn;
   EXPECT_FALSE(asks());
-  harness.input<GameState>().playMode = PlayMode::kickInOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::kickInOwn;
   EXPECT_FALSE(asks());
 }
 

@@ -18,7 +18,7 @@ struct SetPieceTakerTest : testing::Test {
     harness.input<BallPos>().valid = true;
     harness.input<FieldDimensions>();
     harness.input<OtherRobots>();
-    harness.input<GameState>().playMode = PlayMode::kickInOwn;
+    harness.input<GameState>().playMode = TeamPlayMode::kickInOwn;
     harness.input<PlayerRole>().role = PlayerRole::striker;
     harness.input<PlayerRole>().members = 11;
     harness.input<BallPos>().field = {0, 10};
@@ -41,7 +41,7 @@ TEST_F(SetPieceTakerTest, kicksWhereTheMateIs) {
 }
 
 TEST_F(SetPieceTakerTest, theKickOffGoesBackToAMate) {
-  harness.input<GameState>().playMode = PlayMode::kickOffOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::kickOffOwn;
   harness.input<BallPos>().field = {0, 0};
   EXPECT_EQ(output().skill, Skill::kick);
   EXPECT_LT(output().target.position.x(), 0);
@@ -62,7 +62,7 @@ TEST_F(SetPieceTakerTest, keepsItsKickWhileNoOtherIsClearlyBetter) {
 }
 
 TEST_F(SetPieceTakerTest, waitsBetweenBallAndOwnGoalAtTheirRestart) {
-  harness.input<GameState>().playMode = PlayMode::freeKickOpponent;
+  harness.input<GameState>().playMode = TeamPlayMode::freeKickOpponent;
   harness.input<BallPos>().field = {-5, 0};
   EXPECT_EQ(output().skill, Skill::moveToPos);
   EXPECT_TRUE(output().target.position.isApprox(Vec2(-7.2, 0)));
@@ -79,9 +79,9 @@ TEST_F(SetPieceTakerTest, isNothingForOthersInPlayOrAlone) {
   harness.input<PlayerRole>().members = 1;
   EXPECT_FALSE(output().active);
   harness.input<PlayerRole>().members = 11;
-  harness.input<GameState>().playMode = PlayMode::playOn;
+  harness.input<GameState>().playMode = TeamPlayMode::playOn;
   EXPECT_FALSE(output().active);
-  harness.input<GameState>().playMode = PlayMode::kickInOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::kickInOwn;
   harness.input<BallPos>().age = 10;
   EXPECT_FALSE(output().active) << "a lost ball is searched by the striker";
 }
@@ -100,17 +100,17 @@ TEST_F(SetPieceTakerTest, theTakerItsPieceAndTheChoiceAreDrawn) {
 }
 
 TEST_F(SetPieceTakerTest, wherePlayersWaitIsDrawnAndNothingInPlay) {
-  harness.input<GameState>().playMode = PlayMode::kickInOpponent;
+  harness.input<GameState>().playMode = TeamPlayMode::kickInOpponent;
   const Vec2 place = output().target.position;
   const Drawing waits = test::drawnBy("draw:team:setPiece", [&] { output(); });
   ASSERT_EQ(test::countOf<shapes::Circle>(waits), 2u) << "the player and its place";
   EXPECT_EQ(std::get<shapes::Circle>(waits.shapes().back().form).centre, place);
-  harness.input<GameState>().playMode = PlayMode::playOn;
+  harness.input<GameState>().playMode = TeamPlayMode::playOn;
   EXPECT_TRUE(test::drawnBy("draw:team:setPiece", [&] { output(); }).shapes().empty());
 }
 
 TEST_F(SetPieceTakerTest, noiseOfABallInTheMiddleDoesNotMirrorThePiece) {
-  harness.input<GameState>().playMode = PlayMode::kickOffOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::kickOffOwn;
   std::vector<Vec2> targets;
   for (const double y : {0.02, -0.03, 0.01, -0.3, 0.2}) {
     harness.input<BallPos>().field = {0, y};
@@ -120,7 +120,7 @@ TEST_F(SetPieceTakerTest, noiseOfABallInTheMiddleDoesNotMirrorThePiece) {
 }
 
 TEST_F(SetPieceTakerTest, aBallClearlyOnTheOtherSideMirrorsIt) {
-  harness.input<GameState>().playMode = PlayMode::cornerOwn;
+  harness.input<GameState>().playMode = TeamPlayMode::cornerOwn;
   harness.input<BallPos>().field = {14.9, 5.4};
   const Vec2 left = output().target.position;
   harness.input<BallPos>().field = {14.9, -5.4};

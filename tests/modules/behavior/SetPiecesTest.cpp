@@ -61,14 +61,16 @@ TEST_F(SetPiecesTest, theProjectsOwnStayOnTheFieldWhereverTheBallLies) {
   ConfigStore store({"config"});
   const SetPieces pieces(Config(store, "Formation"));
   ASSERT_EQ(pieces.all().size(), 7U);
-  for (const PlayMode mode :
-       {PlayMode::kickOffOwn, PlayMode::kickOffOpponent, PlayMode::kickInOwn, PlayMode::kickInOpponent,
-        PlayMode::cornerOwn, PlayMode::cornerOpponent, PlayMode::goalKickOwn, PlayMode::goalKickOpponent,
-        PlayMode::freeKickOwn, PlayMode::freeKickOpponent, PlayMode::directFreeKickOwn,
-        PlayMode::directFreeKickOpponent, PlayMode::passOpponent})
+  for (const TeamPlayMode mode :
+       {TeamPlayMode::kickOffOwn, TeamPlayMode::kickOffOpponent, TeamPlayMode::kickInOwn,
+        TeamPlayMode::kickInOpponent, TeamPlayMode::cornerOwn, TeamPlayMode::cornerOpponent,
+        TeamPlayMode::goalKickOwn, TeamPlayMode::goalKickOpponent, TeamPlayMode::freeKickOwn,
+        TeamPlayMode::freeKickOpponent, TeamPlayMode::directFreeKickOwn, TeamPlayMode::directFreeKickOpponent,
+        TeamPlayMode::passOpponent})
     EXPECT_NE(pieces.of(mode), nullptr);
-  EXPECT_EQ(pieces.of(PlayMode::playOn), nullptr);
-  for (const PlayMode mode : {PlayMode::cornerOwn, PlayMode::goalKickOwn, PlayMode::kickOffOwn})
+  EXPECT_EQ(pieces.of(TeamPlayMode::playOn), nullptr);
+  for (const TeamPlayMode mode :
+       {TeamPlayMode::cornerOwn, TeamPlayMode::goalKickOwn, TeamPlayMode::kickOffOwn})
     for (const SetPiecePlace& place : pieces.of(mode)->places) {
       const Vec2 at = place.at({0, 0}, 15, false);
       EXPECT_LT(std::abs(at.x()), 15);

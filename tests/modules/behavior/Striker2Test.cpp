@@ -10,7 +10,7 @@ namespace {
 
 struct Striker2Test : testing::Test {
   Striker2Test() {
-    harness.input<GameState>().playMode = PlayMode::playOn;
+    harness.input<GameState>().playMode = TeamPlayMode::playOn;
     harness.input<RobotPose>().valid = true;
     harness.input<RobotPose>().pose = Pose2(-1, 0, 0);
     BallPos& ball = harness.input<BallPos>();
@@ -70,7 +70,7 @@ TEST_F(Striker2Test, turnsToSearchALostBallOrItself) {
 }
 
 TEST_F(Striker2Test, keepsItsDistanceAtTheOpponentsRestart) {
-  harness.input<GameState>().playMode = PlayMode::kickInOpponent;
+  harness.input<GameState>().playMode = TeamPlayMode::kickInOpponent;
   harness.input<BallPos>().field = {5, 10};
   const BehaviorOutput& output = decide();
   EXPECT_EQ(output.skill, Skill::moveToPos);
@@ -82,7 +82,7 @@ TEST_F(Striker2Test, keepsItsDistanceAtTheOpponentsRestart) {
 }
 
 TEST_F(Striker2Test, standsWhenTheGameIsOver) {
-  harness.input<GameState>().playMode = PlayMode::gameOver;
+  harness.input<GameState>().playMode = TeamPlayMode::gameOver;
   EXPECT_EQ(decide().skill, Skill::stand);
 }
 
@@ -107,7 +107,7 @@ TEST_F(Striker2Test, saysWhatItDecidedAndWhatAgainst) {
     EXPECT_GE(decision.options[i].goal, 0);
     EXPECT_LE(decision.options[i].goal, 1);
   }
-  harness.input<GameState>().playMode = PlayMode::kickInOpponent;
+  harness.input<GameState>().playMode = TeamPlayMode::kickInOpponent;
   decide();
   EXPECT_FALSE(decision.valid);
   EXPECT_TRUE(decision.options.empty());

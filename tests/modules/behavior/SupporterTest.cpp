@@ -11,7 +11,7 @@ namespace {
 
 struct SupporterTest : testing::Test {
   SupporterTest() {
-    harness.input<GameState>().playMode = PlayMode::playOn;
+    harness.input<GameState>().playMode = TeamPlayMode::playOn;
     harness.input<RobotPose>().valid = true;
     PlayerRole& role = harness.input<PlayerRole>();
     role.role = PlayerRole::supporter + 2;

@@ -80,9 +80,9 @@ TEST_F(DecisionRecorderTest, writesNothingUntilThePlayerIsKnownAndPlaysTheBall) 
   harness->input<PlayerInfo>().sideKnown = false;
   cycle(111);
   harness->input<PlayerInfo>().sideKnown = true;
-  harness->input<GameState>().playMode = PlayMode::beforeKickOff;
+  harness->input<GameState>().playMode = TeamPlayMode::beforeKickOff;
   cycle(111.5);
-  harness->input<GameState>().playMode = PlayMode::playOn;
+  harness->input<GameState>().playMode = TeamPlayMode::playOn;
   EXPECT_EQ(written(), "");
   harness->input<PlayerInfo>().sideKnown = true;
   harness->input<PlayerInfo>().leftSide = false;

@@ -56,7 +56,7 @@ TEST_F(ParserTest, takesTheMessageApart) {
   EXPECT_EQ(get<PlayerInfo>().robot, "simspark_type2");
   EXPECT_TRUE(get<PlayerInfo>().sideKnown);
   EXPECT_FALSE(get<PlayerInfo>().leftSide);
-  EXPECT_EQ(get<GameState>().playMode, PlayMode::kickOffOpponent);
+  EXPECT_EQ(get<GameState>().playMode, TeamPlayMode::kickOffOpponent);
   EXPECT_EQ(get<GameState>().ownScore, 2);
   EXPECT_EQ(get<GameState>().opponentScore, 1);
   EXPECT_DOUBLE_EQ(get<GameState>().time, 3.5);
@@ -69,7 +69,7 @@ TEST_F(ParserTest, takesTheMessageApart) {
   EXPECT_NEAR(get<FrameInfo>().cycleSeconds, 0.02, 1e-9);
   EXPECT_TRUE(get<PlayerInfo>().sideKnown) << "told once";
   EXPECT_EQ(get<PlayerInfo>().number, 7);
-  EXPECT_EQ(get<GameState>().playMode, PlayMode::playOn);
+  EXPECT_EQ(get<GameState>().playMode, TeamPlayMode::playOn);
   EXPECT_TRUE(get<VisionInfo>().newImage);
   EXPECT_TRUE(get<PolarBallPercept>().seen);
   EXPECT_DOUBLE_EQ(get<PolarBallPercept>().position.distance, 2);
@@ -101,7 +101,7 @@ TEST_F(ParserTest, aBrokenMessageChangesNothing) {
     EXPECT_TRUE(get<HearPercept>().messages.empty());
     EXPECT_NEAR(get<JointData>().angles[headYaw], fromDegrees(11), 1e-12);
     EXPECT_EQ(get<SensorData>().acc, Vec3(0, 0, 9.81));
-    EXPECT_EQ(get<GameState>().playMode, PlayMode::playOn);
+    EXPECT_EQ(get<GameState>().playMode, TeamPlayMode::playOn);
     EXPECT_EQ(get<PlayerInfo>().number, 7);
   }
   EXPECT_EQ(get<FrameInfo>().cycle, 7u);
@@ -131,12 +131,12 @@ TEST_F(ParserTest, groundTruthIsInTheTeamsFrame) {
 }
 
 TEST(PlayModeOf, bothSides) {
-  EXPECT_EQ(playModeOf("BeforeKickOff", false), PlayMode::beforeKickOff);
-  EXPECT_EQ(playModeOf("Goal_Right", false), PlayMode::goalOwn);
-  EXPECT_EQ(playModeOf("Goal_Right", true), PlayMode::goalOpponent);
-  EXPECT_EQ(playModeOf("direct_free_kick_left", true), PlayMode::directFreeKickOwn);
-  EXPECT_EQ(playModeOf("pass_left", false), PlayMode::passOpponent);
-  EXPECT_EQ(playModeOf("", true), PlayMode::unknown);
+  EXPECT_EQ(playModeOf("BeforeKickOff", false), TeamPlayMode::beforeKickOff);
+  EXPECT_EQ(playModeOf("Goal_Right", false), TeamPlayMode::goalOwn);
+  EXPECT_EQ(playModeOf("Goal_Right", true), TeamPlayMode::goalOpponent);
+  EXPECT_EQ(playModeOf("direct_free_kick_left", true), TeamPlayMode::directFreeKickOwn);
+  EXPECT_EQ(playModeOf("pass_left", false), TeamPlayMode::passOpponent);
+  EXPECT_EQ(playModeOf("", true), TeamPlayMode::unknown);
 }
 
 }  // namespace

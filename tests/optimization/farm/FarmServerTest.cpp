@@ -48,7 +48,7 @@ struct Running {
     thread.join();
     close(stop);
   }
-  ServerAddress address(const std::string& token = "") const { return {"127.0.0.1", server.port(), token}; }
+  FarmAddress address(const std::string& token = "") const { return {"127.0.0.1", server.port(), token}; }
 
   int stop = eventfd(0, EFD_CLOEXEC);
   std::atomic<bool> over = false;

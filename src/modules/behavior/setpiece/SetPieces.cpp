@@ -15,18 +15,18 @@ constexpr double longest = 30;        ///< [s]
 constexpr std::size_t maxPlaces = 9;  ///< with goalie and striker eleven
 
 /// The modes in which somebody brings the ball into play.
-constexpr PlayMode restarts[] = {
-    PlayMode::kickOffOwn,       PlayMode::kickOffOpponent,   PlayMode::kickInOwn,
-    PlayMode::kickInOpponent,   PlayMode::cornerOwn,         PlayMode::cornerOpponent,
-    PlayMode::goalKickOwn,      PlayMode::goalKickOpponent,  PlayMode::freeKickOwn,
-    PlayMode::freeKickOpponent, PlayMode::directFreeKickOwn, PlayMode::directFreeKickOpponent,
-    PlayMode::passOpponent};
+constexpr TeamPlayMode restarts[] = {
+    TeamPlayMode::kickOffOwn,       TeamPlayMode::kickOffOpponent,   TeamPlayMode::kickInOwn,
+    TeamPlayMode::kickInOpponent,   TeamPlayMode::cornerOwn,         TeamPlayMode::cornerOpponent,
+    TeamPlayMode::goalKickOwn,      TeamPlayMode::goalKickOpponent,  TeamPlayMode::freeKickOwn,
+    TeamPlayMode::freeKickOpponent, TeamPlayMode::directFreeKickOwn, TeamPlayMode::directFreeKickOpponent,
+    TeamPlayMode::passOpponent};
 
-PlayMode modeOf(const std::string& word, const ConfigSection& file) {
+TeamPlayMode modeOf(const std::string& word, const ConfigSection& file) {
   std::vector<std::string> words;
-  for (const PlayMode mode : restarts) {
-    if (word == playModeName(mode)) return mode;
-    words.emplace_back(playModeName(mode));
+  for (const TeamPlayMode mode : restarts) {
+    if (word == teamPlayModeName(mode)) return mode;
+    words.emplace_back(teamPlayModeName(mode));
   }
   file.fail("modes", "has \"" + word.substr(0, 40) + "\", which is no play mode" + suggestion(word, words));
 }
@@ -101,15 +101,15 @@ SetPieces::SetPieces(const Config& config) {
   for (const std::string& name : names) {
     const ConfigSection& file = config.file("set_pieces/" + name);
     SetPiece piece = readSetPiece(name, file);
-    for (const PlayMode mode : piece.modes)
+    for (const TeamPlayMode mode : piece.modes)
       if (const SetPiece* other = of(mode))
         file.fail("modes", "has a mode that " + other->name + ".yaml has already");
-    for (const PlayMode mode : piece.modes) ofMode_[static_cast<std::size_t>(mode)] = pieces_.size();
+    for (const TeamPlayMode mode : piece.modes) ofMode_[static_cast<std::size_t>(mode)] = pieces_.size();
     pieces_.push_back(std::move(piece));
   }
 }
 
-const SetPiece* SetPieces::of(PlayMode mode) const {
+const SetPiece* SetPieces::of(TeamPlayMode mode) const {
   const std::optional<std::size_t> piece = ofMode_[static_cast<std::size_t>(mode)];
   return piece ? &pieces_[*piece] : nullptr;
 }

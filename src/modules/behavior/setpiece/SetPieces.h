@@ -6,7 +6,7 @@
 
 #include "framework/Config.h"
 #include "math/Types.h"
-#include "representations/infrastructure/PlayModeNames.h"
+#include "representations/infrastructure/TeamPlayModeNames.h"
 
 namespace plumbline {
 
@@ -28,7 +28,7 @@ struct SetPiecePlace {
 /// What a team does in some play modes: one file of config/set_pieces/, which a coach edits.
 struct SetPiece {
   std::string name;  ///< of the file
-  std::vector<PlayMode> modes;
+  std::vector<TeamPlayMode> modes;
   std::vector<SetPiecePlace> kick;     ///< where the striker may kick the ball; empty: as in play
   std::optional<SetPiecePlace> stand;  ///< where the striker waits at the opponents' restart
   std::vector<SetPiecePlace> places;   ///< of the first supporters, instead of those of the formation
@@ -59,12 +59,12 @@ public:
   explicit SetPieces(const Config& config);
 
   /// Null: there is none for this mode.
-  const SetPiece* of(PlayMode mode) const;
+  const SetPiece* of(TeamPlayMode mode) const;
   const std::vector<SetPiece>& all() const { return pieces_; }
 
 private:
   std::vector<SetPiece> pieces_;
-  std::array<std::optional<std::size_t>, playModeNames.size()> ofMode_{};  ///< index of its piece
+  std::array<std::optional<std::size_t>, teamPlayModeNames.size()> ofMode_{};  ///< index of its piece
 };
 
 /// One file's content. Throws ConfigurationError.

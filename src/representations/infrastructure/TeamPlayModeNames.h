@@ -6,8 +6,8 @@
 
 namespace plumbline {
 
-/// The words for play modes in files, in the order of PlayMode.
-constexpr std::array<const char*, static_cast<std::size_t>(PlayMode::unknown) + 1> playModeNames = {
+/// The words for play modes in files, in the order of TeamPlayMode.
+constexpr std::array<const char*, static_cast<std::size_t>(TeamPlayMode::unknown) + 1> teamPlayModeNames = {
     "beforeKickOff",
     "kickOffOwn",
     "kickOffOpponent",
@@ -31,6 +31,8 @@ constexpr std::array<const char*, static_cast<std::size_t>(PlayMode::unknown) + 
     "passOpponent",
     "unknown"};
 
-inline const char* playModeName(PlayMode mode) { return playModeNames.at(static_cast<std::size_t>(mode)); }
+inline const char* teamPlayModeName(TeamPlayMode mode) {
+  return teamPlayModeNames.at(static_cast<std::size_t>(mode));
+}
 
 }  // namespace plumbline
