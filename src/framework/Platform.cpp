@@ -1,5 +1,7 @@
 #include "framework/Platform.h"
 
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <string_view>
 
@@ -17,7 +19,11 @@ std::map<std::string, Platforms::Maker>& platformMakers() {
 }  // namespace
 
 bool Platforms::add(const std::string& name, Maker maker) {
-  return platformMakers().emplace(name, maker).second;
+  if (!platformMakers().emplace(name, maker).second) {
+    std::fprintf(stderr, "two platforms with the name %s are linked into this program\n", name.c_str());
+    std::exit(2);
+  }
+  return true;
 }
 
 std::vector<std::string> Platforms::names() {

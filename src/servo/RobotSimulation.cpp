@@ -1,6 +1,8 @@
 #include "servo/RobotSimulation.h"
 
 #include <algorithm>
+#include <cstdio>
+#include <cstdlib>
 #include <map>
 #include <stdexcept>
 
@@ -33,7 +35,12 @@ Vec3 RobotSimulation::comVelocity() const {
 }
 
 bool RobotSimulations::add(const std::string& engine, Maker maker) {
-  return simulationMakers().emplace(engine, std::move(maker)).second;
+  if (!simulationMakers().emplace(engine, std::move(maker)).second) {
+    std::fprintf(stderr, "two engines for servo robots with the name %s are linked into this program\n",
+                 engine.c_str());
+    std::exit(2);
+  }
+  return true;
 }
 
 std::vector<std::string> RobotSimulations::names() {

@@ -50,7 +50,7 @@ for program in bin/*; do
   count=$((count + 1))
 done
 ((count > 10)) || fail "bin/ has $count programs"
-for path in bin/plumbline-{start,kill} share/plumbline/config/{rules,field}.yaml share/plumbline/config/robots/nao_v5.json \
+for path in bin/plumbline-{start,kill} share/plumbline/config/field.yaml share/plumbline/config/robots/nao_v5.json \
   share/plumbline/config/platforms/simspark/modules.cfg share/doc/plumbline/LICENSE lib/cmake/Plumbline/PlumblineConfig.cmake \
   include/plumbline/framework/Module.h lib/libplumbline_framework.a; do
   holds "usr/$path"

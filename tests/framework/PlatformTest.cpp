@@ -51,5 +51,11 @@ TEST(Platforms, theCommandLineChoosesOneBeforeItsOptionsAreKnown) {
   EXPECT_EQ(chosen({"agent", "--", "--platform", "nao"}), "usual");
 }
 
+TEST(Platforms, aSecondOneOfTheSameNameEndsTheProgram) {
+  const auto none = []() -> std::unique_ptr<Platform> { return nullptr; };
+  EXPECT_EXIT(Platforms::add("twice", none) && Platforms::add("twice", none), testing::ExitedWithCode(2),
+              "^two platforms with the name twice are linked into this program\n$");
+}
+
 }  // namespace
 }  // namespace plumbline

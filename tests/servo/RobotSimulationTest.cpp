@@ -107,6 +107,11 @@ TEST_P(AnyEngine, theSameCallsGiveTheSameBytes) {
   EXPECT_EQ(first, story(*one)) << "nothing is left of what was before";
 }
 
+TEST(RobotSimulations, aSecondEngineOfTheSameNameEndsTheProgram) {
+  EXPECT_EXIT(RobotSimulations::add("bullet", nullptr), testing::ExitedWithCode(2),
+              "^two engines for servo robots with the name bullet are linked into this program\n$");
+}
+
 INSTANTIATE_TEST_SUITE_P(Engines, AnyEngine, testing::ValuesIn(RobotSimulations::names()),
                          [](const auto& info) { return info.param; });
 

@@ -98,7 +98,7 @@ TEST(ChildProcess, stopKillsWhatDoesNotListen) {
 
 TEST(ChildProcess, whatIsAskedTogetherHasItsTimeTogether) {
   std::list<ChildProcess> children;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < 30; ++i) {
     children.emplace_back(std::vector<std::string>{"/bin/sleep", "100"});
     kill(children.back().pid(), SIGSTOP);
     int status = 0;
@@ -109,7 +109,7 @@ TEST(ChildProcess, whatIsAskedTogetherHasItsTimeTogether) {
   for (ChildProcess& child : children) child.stop(1);
   const double took = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   EXPECT_GE(took, 1);
-  EXPECT_LT(took, 3) << "one after another they take four seconds";
+  EXPECT_LT(took, 20) << "one after another they take thirty seconds";
   for (ChildProcess& child : children) EXPECT_EQ(*child.exitStatus(), 128 + SIGKILL);
 }
 

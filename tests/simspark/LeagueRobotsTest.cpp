@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <filesystem>
+
+#include "framework/ConfigFolder.h"
 #include "framework/ConfigurationError.h"
 #include "robot/MechanismFile.h"
 
@@ -9,22 +12,26 @@ namespace plumbline {
 namespace {
 
 TEST(LeagueRobots, AreTheFilesOfTheConfiguration) {
-  ASSERT_EQ(numSimsparkTypes(), 5);
-  for (int type = 0; type < 5; ++type) {
+  ASSERT_TRUE(
+      std::filesystem::exists(configPath("robots/" + simsparkRobotName(numSimsparkTypes() - 1) + ".json")));
+  ASSERT_FALSE(
+      std::filesystem::exists(configPath("robots/" + simsparkRobotName(numSimsparkTypes()) + ".json")));
+  for (int type = 0; type < numSimsparkTypes(); ++type) {
     EXPECT_EQ(simsparkRobot(type).name, simsparkRobotName(type));
     EXPECT_EQ(findMechanism(simsparkRobotName(type)).name, simsparkRobotName(type));
   }
 }
 
 TEST(LeagueRobots, AnotherTypeIsRefusedWithThoseThereAre) {
-  for (const int type : {5, -1}) {
+  const std::string next = std::to_string(numSimsparkTypes()), last = std::to_string(numSimsparkTypes() - 1);
+  for (const int type : {numSimsparkTypes(), -1}) {
     try {
       simsparkRobot(type);
       FAIL() << type;
     } catch (const ConfigurationError& error) {
       EXPECT_EQ(error.what(), "there is no robot type " + std::to_string(type) +
-                                  "; config/robots has the league's types 0 to 4, the next one is a file "
-                                  "simspark_type5.json there");
+                                  "; config/robots has the league's types 0 to " + last +
+                                  ", the next one is a file simspark_type" + next + ".json there");
     }
   }
 }

@@ -7,6 +7,7 @@
 
 #include "gap/blind/OutsideDrives.h"
 #include "gap/effects/Effects.h"
+#include "gap/record/ExcitationFile.h"
 
 namespace plumbline::gap {
 
@@ -163,11 +164,11 @@ BlindEffect strengthened(const Mechanism& robot, BlindEffect e, double factor) {
 }
 
 std::vector<std::string> programsOf(Battery battery) {
-  std::vector<std::string> programs = {"hang_sweep", "hang_multisine", "hang_small", "hang_fast"};
+  std::vector<std::string> programs = hangingBattery();
+  const std::string again = programs.back();
   if (battery == Battery::all)
-    for (const char* p : {"stand_squat", "stand_sway", "stand_lean", "stand_turn180"})
-      programs.emplace_back(p);
-  programs.push_back(programs[3]);
+    for (const std::string& program : floatingBaseBattery()) programs.push_back(program);
+  programs.push_back(again);
   return programs;
 }
 

@@ -12,6 +12,24 @@
 #include "math/Random.h"
 
 namespace plumbline::gap {
+namespace {
+
+/// One of a robot's postures; nothing if they have none of that name.
+std::optional<std::vector<double>> postureIn(const ConfigSection& postures, const std::string& name,
+                                             const Mechanism& robot) {
+  if (!postures.has(name)) return std::nullopt;
+  std::vector<double> q = neutralPosture(robot);
+  const ConfigSection posture = postures.section(name);
+  for (const std::string& joint : posture.keys()) {
+    const int index = robot.jointIndex(joint);
+    if (index < 0)
+      posture.fail(joint, "is no joint of " + robot.name + suggestion(joint, robot.jointNames()));
+    q[static_cast<std::size_t>(index)] = posture.get<double>(joint);
+  }
+  return q;
+}
+
+}  // namespace
 
 std::vector<double> neutralPosture(const Mechanism& robot) {
   std::vector<double> q;
@@ -21,27 +39,20 @@ std::vector<double> neutralPosture(const Mechanism& robot) {
 
 std::optional<std::vector<double>> namedPosture(const std::string& name, const Mechanism& robot,
                                                 const std::string& folder) {
-  std::error_code noFolder;
-  std::string path = (std::filesystem::path(folder) / "postures.yaml").string();
-  if (!std::filesystem::exists(path, noFolder)) path = configPath("excitation/postures.yaml");
-  std::vector<double> q = neutralPosture(robot);
-  std::error_code error;
-  if (std::filesystem::exists(path, error)) {
+  const auto isThere = [](const std::string& path) {
+    std::error_code error;
+    return std::filesystem::exists(path, error);
+  };
+  const std::string here = (std::filesystem::path(folder) / "postures.yaml").string(),
+                    own = configPath("robots/" + robot.name + "/postures.yaml"),
+                    shared = configPath("excitation/postures.yaml");
+  for (const std::string& path : {here, own, shared}) {
+    if (!isThere(path)) continue;
     const ConfigFile file(path);
-    if (file.root().has(robot.name)) {
-      const ConfigSection postures = file.root().section(robot.name);
-      if (!postures.has(name)) return std::nullopt;
-      const ConfigSection posture = postures.section(name);
-      for (const std::string& joint : posture.keys()) {
-        const int index = robot.jointIndex(joint);
-        if (index < 0)
-          posture.fail(joint, "is no joint of " + robot.name + suggestion(joint, robot.jointNames()));
-        q[static_cast<std::size_t>(index)] = posture.get<double>(joint);
-      }
-      return q;
-    }
+    if (path == own) return postureIn(file.root(), name, robot);
+    if (file.root().has(robot.name)) return postureIn(file.root().section(robot.name), name, robot);
   }
-  if (name == "hang") return q;
+  if (name == "hang") return neutralPosture(robot);
   return std::nullopt;
 }
 

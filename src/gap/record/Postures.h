@@ -11,9 +11,10 @@ namespace plumbline::gap {
 /// All joints at 0, or as close to 0 as their limits allow.
 std::vector<double> neutralPosture(const Mechanism& robot);
 
-/// A posture by name from FOLDER/postures.yaml, or excitation/postures.yaml of the configuration if that is
-/// missing. Each robot has a map of postures; joints that a posture does not name are neutral. `hang` is
-/// neutral for a robot that is not in the file. Throws ConfigurationError for a broken file.
+/// A posture by name, from the first of these files that has the robot: FOLDER/postures.yaml (robots, each a
+/// map of postures), and of the configuration robots/ROBOT/postures.yaml (the postures) and
+/// excitation/postures.yaml (as the first). Joints that a posture does not name are neutral. `hang` is
+/// neutral for a robot without postures. Throws ConfigurationError for a broken file.
 std::optional<std::vector<double>> namedPosture(const std::string& name, const Mechanism& robot,
                                                 const std::string& folder = "");
 

@@ -120,9 +120,8 @@ public:
 /// Names of the engines there are.
 const std::vector<std::string>& physicsEngines();
 
-/// Makes an engine by name: "ode", as the league's server; "ode-dense", the same with ODE's own solver, which
-/// is slower; "bullet", other physics for a second opinion. Error:
-/// std::invalid_argument naming the engines there are.
+/// Makes an engine by name, as "ode", the league's. Error: std::invalid_argument naming the engines there
+/// are.
 std::unique_ptr<Physics> makePhysics(std::string_view engine, const PhysicsConfig& config);
 
 }  // namespace plumbline::simulation

@@ -14,7 +14,8 @@ namespace plumbline::training {
 struct RobotOptions {
   PARAMETERS(RobotOptions)
   PARAMETER(int, type, 0, "", Range(0, maxSimsparkTypes - 1), "the league's type of robot")
-  PARAMETER(std::string, engine, "ode", "", Range(), "physics engine: ode (the league's) or bullet")
+  PARAMETER(std::string, engine, "ode", "", Range(),
+            "physics engine: ode (the league's), bullet or another one that there is")
   PARAMETER(std::string, effects, "", "", Range(),
             "file of effects that the worlds have, or an answer of bin/gap diagnose "
             "(doc/reference/effects-file.md)")

@@ -1,0 +1,70 @@
+#!/usr/bin/env bash
+# Searches a long kick by stages: first as far as the ball goes, whatever becomes of the robot, then with more and more worth of a robot
+# that stays upright. One search that wants both from the beginning ends at 7 to 9 m (doc/decisions/0020-what-limits-a-kick.md).
+# The kick to begin with gets a keyframe more at its end, in which the robot can catch itself. The result is FOLDER/kick.yaml, with what 1000
+# tries with other seeds gave in its head; it goes to config/robots/simspark_typeTYPE/motions/. About 40 minutes of two cores. Stopped or
+# killed, the same command goes on.
+#   scripts/optimise_kick.sh TYPE [MOTION]     MOTION: a kick of that type, or a file of any [kickLong]
+# Variables: SEED of the searches [1], WORKERS [2], FOLDER [kickTYPE.search], EFFORT, a factor of the number of generations [1].
+# Examples:
+#   scripts/optimise_kick.sh 2
+#   SEED=7 scripts/optimise_kick.sh 0 config/robots/simspark_type1/motions/kickLong.yaml
+set -euo pipefail
+source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
+fail() { echo "optimise_kick.sh: $*; see optimise_kick.sh --help" >&2; exit 2; }
+root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
+bin=${BIN:-$root/bin}
+(($# == 1 || $# == 2)) || fail "needs a type"
+type=$1 motion=${2:-kickLong} seed=${SEED:-1} workers=${WORKERS:-2} effort=${EFFORT:-1} folder=${FOLDER:-kick$1.search}
+[[ $type =~ ^[0-9]$ && -d $root/config/robots/simspark_type$type ]] || fail "no robot type '$type'"
+[[ $seed =~ ^[0-9]{1,9}$ ]] || fail "SEED is a whole number, not '$seed'"
+[[ $effort =~ ^[0-9]+(\.[0-9]+)?$ ]] || fail "EFFORT is a number, not '$effort'"
+file=$motion
+for place in "$root/config/motions" "$root/config/robots/simspark_type$type/motions"; do
+  [[ ! -f $place/$motion.yaml ]] || file=$place/$motion.yaml
+done
+[[ -f $file ]] || fail "no motion '$motion' of type $type, and no file of that name"
+mkdir -p "$folder"
+[[ -f $folder/start.yaml ]] || {
+  awk '/^  - \{time:/ { last = "" } { print; if (last != "" || /^  - \{time:/) last = last $0 "\n" }
+    END { sub(/time: [0-9.]+/, "time: 0.120", last); printf "%s", last }' "$file" > "$folder/start.new"
+  mv "$folder/start.new" "$folder/start.yaml"
+}
+
+# Worth of a radian of lean, seconds of walk after the kick, sigma, generations, population, runs, worth of a millisecond.
+stages=("0 0.2 2 1000 40 1 0" "0.3 0.6 0.6 400 60 1 0.01" "1 1 0.4 400 50 1 0.02" "2 1.5 0.3 400 40 1 0.03" "3 2 0.15 300 30 2 0.03")
+from=$folder/start.yaml
+for ((i = 1; i <= ${#stages[@]}; ++i)); do
+  read -r steady walk sigma generations population runs weight <<< "${stages[i - 1]}"
+  stage=$folder/stage$i
+  config=$stage/config
+  mkdir -p "$stage"
+  if [[ ! -f $stage/study.yaml ]]; then
+    rm -rf "$config"
+    cp -r "$root/config" "$config"
+    cp "$from" "$config/robots/simspark_type$type/motions/kickStage.yaml"
+    cat > "$stage/study.new" << STUDY
+task: kick
+options: {type: $type, motion: kickStage, spread: 0.012, steady: $steady, walk: $walk, weight: $weight, ceiling: 5}
+optimizer: cmaes
+seed: $seed
+population: $population
+ahead: 1
+sigma: $sigma
+runs: $runs
+runsOfBest: $((2 * runs))
+generations: $(awk -v g="$generations" -v e="$effort" 'BEGIN { g = int(g * e + 0.5); print g < 1 ? 1 : g }')
+# The feet of a robot that walks up push a ball away that is nearer.
+parameters: {ballX: {min: 158}}
+STUDY
+    mv "$stage/study.new" "$stage/study.yaml"
+  fi
+  echo "optimise_kick.sh: stage $i of ${#stages[@]}: a radian of lean is worth $steady"
+  search=("$bin/optserver" "$stage/study.yaml" --config "$config" --folder "$stage/search")
+  [[ -f $stage/done ]] || "${search[@]}" --workers "$workers" --port 0
+  touch "$stage/done"
+  "${search[@]}" --measure "$((i < ${#stages[@]} ? 200 : 1000))" --first-seed 1000000
+  from=$stage/search/kick.yaml
+done
+cp "$from" "$folder/kick.yaml"
+echo "optimise_kick.sh: $folder/kick.yaml"
