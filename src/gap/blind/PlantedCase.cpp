@@ -157,7 +157,7 @@ RealRecordings plantCase(const PlantingBase& base, std::size_t turn, Random& ran
     c.effects.push_back(std::move(effect));
   }
   if (!causes.empty()) setSeverity(base, with, c);
-  // What changes no answer: the clock begins elsewhere, and the base, which is held, is heavier.
+  // What changes no answer: the clock begins elsewhere, and the base, which is fixed, is heavier.
   const double later = std::round(1e3 * random.uniform(0, 0.9)) / 1e3, heavier = 1 + random.uniform();
   with.robot.links.front().mass *= heavier;
   for (Run& run : with.runs)

@@ -38,8 +38,8 @@ RealRecordings recordingsOf(const PlantedSetOptions& options, std::vector<RunWar
     Run run = readCheckedRun(folder, robot, warnings);
     if (run.freeBase)
       throw std::runtime_error(folder +
-                               ": its base is free; causes are planted in recordings of a robot that "
-                               "is held (base: fixed)");
+                               ": its base is free; causes are planted in recordings of a robot whose "
+                               "base is fixed");
     // An entry for all joints beside those of some could not be written.
     if (run.timing.size() > 1 && run.timing.count("*")) {
       for (const Mechanism::Joint& joint : robot.joints)

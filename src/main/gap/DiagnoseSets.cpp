@@ -6,8 +6,7 @@
 
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
-#include "gap/inference/AllJointFit.h"
-#include "gap/inference/Inference.h"
+#include "gap/answer/SetsAnswer.h"
 #include "gap/inference/InferenceMark.h"
 #include "gap/inference/InferenceMemory.h"
 #include "gap/inference/JointValues.h"
@@ -18,44 +17,6 @@
 namespace plumbline::gap {
 
 namespace {
-
-nlohmann::json furtherJson(const AllJointFit& further) {
-  if (further.parameters == 0) return nullptr;
-  nlohmann::json runs = nlohmann::json::array(), model = nlohmann::json::array();
-  for (const RecordingLeft& left : further.leftOut) runs.push_back(leftJson(left));
-  for (const Cause& cause : further.model) model.push_back(causeJson(cause));
-  return {{"closed", further.closed},
-          {"parameters", further.parameters},
-          {"sentence", further.sentence()},
-          {"attributable", false},
-          {"claimed", further.claim.closed},
-          {"claimed_interval", {further.claim.lower, further.claim.upper}},
-          {"model", model},
-          {"runs", runs}};
-}
-
-nlohmann::json answerOf(const Inference& inference, const AllJointFit& further, const AnswerInput& input,
-                        const Evidence& evidence, const Mechanism& robot) {
-  Evaluator evaluator(robot, evidence);
-  nlohmann::json answer = nlohmann::json::parse(answerJson(input, inference.diagnosis, evaluator));
-  answer["method"] = "sets";
-  const std::string more = further.sentence();
-  answer["sentence"] = inference.sentence() + (more.empty() ? "" : " " + more);
-  nlohmann::json& gap = answer["gap"];
-  gap["closed"] = inference.claim.closed;
-  gap["closed_interval"] = {inference.claim.lower, inference.claim.upper};
-  gap["closed_left_out"] = meanClosedToNoise(inference.leftOut);
-  gap["unit"] = "rad, or m: positions of recordings left out";
-  gap["left_out"] = inference.stretchesOfOne ? "stretches of the one recording" : "recordings";
-  gap["runs"] = nlohmann::json::array();
-  for (const RecordingLeft& left : inference.leftOut) gap["runs"].push_back(leftJson(left));
-  gap["further"] = furtherJson(further);
-  for (const std::string& line : inference.notUsed) answer["remarks"].push_back(line);
-  for (const std::string& line : inference.onlyIn) answer["remarks"].push_back(line);
-  if (const std::string line = inference.runToRun(); !line.empty()) answer["remarks"].push_back(line);
-  answer["replays"] = inference.replays;
-  return answer;
-}
 
 void print(const Inference& inference, const AllJointFit& further, const AnswerInput& input) {
   std::printf("%s\n", inference.sentence().c_str());
@@ -111,7 +72,7 @@ void diagnoseBySets(const SetsRequest& request, std::vector<Trial> trials, Answe
   const Evidence evidence(std::move(trials), inference.noises);
   input.nextMotion = separatingMotion(request.robot, inference.diagnosis);
   if (input.nextMotion.empty()) input.nextMotion = suggestion(inference.diagnosis, evidence);
-  const std::string text = answerOf(inference, further, input, evidence, request.robot).dump(1) + "\n";
+  const std::string text = setsAnswer(inference, further, input, evidence, request.robot).dump(1) + "\n";
   timing.write(request.timing);
   if (request.json == "-") {
     std::fputs(text.c_str(), stdout);
