@@ -7,6 +7,7 @@
 #include "parameters/Parameter.h"
 #include "representations/behavior/TeamPlaces.h"
 #include "representations/modeling/OtherRobots.h"
+#include "robot/ExpectedRobot.h"
 #include "robot/KickEffect.h"
 #include "tactics/FieldValue.h"
 
@@ -59,9 +60,9 @@ struct StrikerSituation {
   std::vector<KickEffect> kicks;
   double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05, goalHeight = 0.8, ballRadius = 0.042;
   std::vector<OtherRobot> others;
-  TeamPlaces places;           ///< where mates look and go
-  double freeSeconds = 0;      ///< time in which opponents must stay away from the ball [s]
-  double opponentSpeed = 0.8;  ///< of opponents on their way to the ball [m/s]
+  TeamPlaces places;                         ///< where mates look and go
+  double freeSeconds = 0;                    ///< time in which opponents must stay away from the ball [s]
+  double opponentSpeed = expectedWalkSpeed;  ///< of opponents on their way to the ball [m/s]
   Vec2 goal() const { return {halfLength, 0}; }
 };
 
