@@ -5,6 +5,7 @@
 #include "game/RunLines.h"
 #include "game/Summary.h"
 #include "game/TrackPicture.h"
+#include "simspark/Ports.h"
 #include "simspark/SceneState.h"
 
 namespace plumbline {
@@ -23,7 +24,7 @@ struct GameOptions {
   std::string engine = "ode";  ///< physics of the embedded simulator
   std::string output;          ///< folder
   std::string host;            ///< of a server that runs already; empty: an embedded simulator is started
-  int port = 3100, monitorPort = 3200;
+  int port = simspark::standardAgentPort, monitorPort = simspark::standardMonitorPort;
   std::string field;  ///< file with the sizes of the field; empty: the configuration's
   std::vector<std::string> agentOptions, simulatorOptions;
 };

@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/Gravity.h"
 #include "math/Types.h"
 
 namespace plumbline {
@@ -18,7 +19,7 @@ public:
     const double angle = gyro.norm() * dt;
     if (angle > 0) up_ = Eigen::AngleAxisd(-angle, gyro.normalized()) * up_;
     const double size = acc.norm();
-    const double trust = std::max(0.0, 1 - std::abs(size - gravity) / (0.2 * gravity));
+    const double trust = std::max(0.0, 1 - std::abs(size - earthGravity) / (0.2 * earthGravity));
     if (trust > 0) up_ = ((1 - share_ * trust) * up_ + share_ * trust * acc / size).normalized();
   }
   void reset(const Vec3& up = Vec3::UnitZ()) { up_ = up.normalized(); }
@@ -31,7 +32,6 @@ public:
   double pitch() const { return std::atan2(-up_.x(), std::hypot(up_.y(), up_.z())); }
 
 private:
-  static constexpr double gravity = 9.81;
   double share_;
   Vec3 up_ = Vec3::UnitZ();
 };

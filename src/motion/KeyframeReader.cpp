@@ -21,10 +21,8 @@ namespace {
 
 constexpr double maxSeconds = 60;        // a longer keyframe is a slip of the pen
 constexpr double limitTolerance = 1e-6;  // [rad]; degrees do not convert exactly
-constexpr std::size_t maxKeyframes = 1000;
-constexpr std::size_t maxFileBytes = 1 << 20;
-constexpr double maxBallDistance = 1;   // [m]
-constexpr double maxKickDistance = 50;  // [m]
+constexpr double maxBallDistance = 1;    // [m]
+constexpr double maxKickDistance = 50;   // [m]
 
 std::string shortNumber(double value) {
   char text[32];
@@ -51,7 +49,7 @@ public:
 
   KeyframeMotion read() {
     try {
-      return read(readYaml(file_.string(), maxFileBytes));
+      return read(readYaml(file_.string(), maxKeyframeFileBytes));
     } catch (const ConfigurationError& error) {
       throw KeyframeFileError(error.what());
     }
@@ -178,7 +176,7 @@ private:
 
   void readKeyframes(const YAML::Node& list, KeyframeMotion& motion) const {
     if (!list.IsSequence()) fail(list, "keyframes", "has to be a list");
-    if (list.size() > maxKeyframes) fail(list, "keyframes", "more than 1000");
+    if (list.size() > maxKeyframes) fail(list, "keyframes", "more than " + std::to_string(maxKeyframes));
     for (const YAML::Node& node : list) motion.keyframes.push_back(readKeyframe(node));
   }
 

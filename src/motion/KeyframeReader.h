@@ -1,4 +1,5 @@
 #pragma once
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <stdexcept>
@@ -9,6 +10,9 @@
 #include "robot/RobotModel.h"
 
 namespace plumbline::motion {
+
+/// What a motion's file may hold at most.
+inline constexpr std::size_t maxKeyframes = 1000, maxKeyframeFileBytes = 1 << 20;
 
 /// A keyframe file that cannot be used; what() is one line "file:line: key: what is wrong and what to do".
 class KeyframeFileError : public std::runtime_error {

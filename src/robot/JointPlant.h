@@ -13,6 +13,9 @@ using JointTorque = std::function<double(double angle, double speed)>;
 /// A joint with its drive for a simulation: its servo, and properties of drives that the nominal servo law
 /// does not have. Without an effect they have their nominal values.
 struct JointPlant {
+  /// The part of maxSpeed over which the torque fades to nothing.
+  static constexpr double fadeShare = 0.1;
+
   Servo servo;
   double maxTorque = 0, maxSpeed = 0;  ///< [N m, rad/s]
   double torqueFactor = 1;             ///< on maxTorque; a DC motor has a limit only where this is below 1

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "math/Gravity.h"
 #include "math/Types.h"
 #include "robot/Shape.h"
 
@@ -115,8 +116,8 @@ struct Mechanism {
   std::vector<Group> groups;
   Imu imu;
   bool hasImu = false;
-  Vec3 gravity = Vec3(0, 0, -9.81);  ///< in the world, z up [m/s^2]
-  double controlHz = 100;            ///< rate of commands and readings
+  Vec3 gravity = Vec3(0, 0, -earthGravity);  ///< in the world, z up [m/s^2]
+  double controlHz = 100;                    ///< rate of commands and readings
 
   int numJoints() const { return static_cast<int>(joints.size()); }
   /// Index of the joint of that name, or -1.

@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "math/Gravity.h"
 #include "robot/Mechanism.h"
 
 namespace plumbline {
@@ -35,7 +36,7 @@ struct MechanismParts {
   std::vector<Foot> feet;
   std::vector<Group> groups;
   Mechanism::Imu imu;
-  Vec3 gravity = Vec3(0, 0, -9.81);
+  Vec3 gravity = Vec3(0, 0, -earthGravity);
   double controlHz = 100;
 
   Joint* find(const std::string& joint);

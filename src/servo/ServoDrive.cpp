@@ -5,12 +5,6 @@
 
 namespace plumbline::servo {
 
-namespace {
-
-constexpr double fadeShare = 0.1;  ///< of the top speed, over which the torque fades
-
-}  // namespace
-
 ServoDrive::ServoDrive(const JointPlant& plant, bool detailed)
     : plant_(plant), detailed_(detailed), behindGear_(plant.geared() && plant.linkEncoder) {}
 
@@ -104,10 +98,11 @@ double ServoDrive::fullLimit() const {
   return plant_.servo.model == Servo::Model::dcMotor ? most : most * supply_;
 }
 
-/// Most torque in the direction of sign at this speed: it fades over the last tenth below the top speed.
+/// Most torque in the direction of sign at this speed: it fades over the last part below the top speed.
 double ServoDrive::limit(double sign, double speed) const {
   const double top = topSpeed();
-  const double fade = top > 0 ? std::clamp((top - sign * speed) / (fadeShare * top), 0.0, 1.0) : 1.0;
+  const double fade =
+      top > 0 ? std::clamp((top - sign * speed) / (JointPlant::fadeShare * top), 0.0, 1.0) : 1.0;
   return fullLimit() * fade;
 }
 
@@ -141,9 +136,9 @@ bool ServoDrive::limitAt(double speedAfter) {
   }
   // Only what is detailed comes here: full torque, then on the fading line, then none.
   const double ahead = sense_ * speedAfter / std::max(1e-9, topSpeed());
-  if (regime_ == Regime::limited && topSpeed() > 0 && ahead > 1 - fadeShare) {
+  if (regime_ == Regime::limited && topSpeed() > 0 && ahead > 1 - JointPlant::fadeShare) {
     regime_ = Regime::faded;
-    law1_ = fullLimit() / (fadeShare * topSpeed());
+    law1_ = fullLimit() / (JointPlant::fadeShare * topSpeed());
     law0_ = sense_ * law1_ * topSpeed();
     return true;
   }

@@ -4,12 +4,13 @@
 #include <vector>
 
 #include "simspark/ChildProcess.h"
+#include "simspark/Ports.h"
 
 namespace plumbline::simspark {
 
 struct Ports {
-  int agent = 3100;
-  int monitor = 3200;
+  int agent = standardAgentPort;
+  int monitor = standardMonitorPort;
   int web = 0;  ///< of its page; 0: it has none
 };
 

@@ -18,7 +18,7 @@ namespace plumbline::simulation {
 using PlayerId = int;
 
 struct PlayerConfig {
-  VisionNoise vision;
+  CameraError vision;
   int visionInterval = 3;                      ///< cycles from image to image
   double beamNoise = 0.05;                     ///< at most, per axis [m]
   double beamTurnNoise = 0.17453292519943295;  ///< at most [rad]

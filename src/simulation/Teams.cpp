@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "field/TeamSize.h"
 #include "simspark/AgentCommand.h"
 
 namespace plumbline::simulation {
@@ -20,7 +21,7 @@ std::string Teams::typeProblem(const Team& team, int type) const {
   const int robots = std::accumulate(team.types.begin(), team.types.end(), 0);
   const auto differentTypes =
       static_cast<int>(std::count_if(team.types.begin(), team.types.end(), [](int n) { return n > 0; }));
-  if (maxPlayers - robots <= rules_.minDifferent - differentTypes && team.types[t] > 0)
+  if (teamSize - robots <= rules_.minDifferent - differentTypes && team.types[t] > 0)
     return "a full team needs " + std::to_string(rules_.minDifferent) + " types of robots";
   return {};
 }
@@ -42,8 +43,10 @@ Teams::Place Teams::request(const std::string& team, int unum, int type) {
   if (!found) return refuse("two other teams play already");
   if (unum == 0)
     for (unum = 1; found->unums.count(unum);) ++unum;
-  if (found->unums.size() >= maxPlayers) return refuse("there are already 11 players");
-  if (unum < 1 || unum > maxPlayers) return refuse("number " + std::to_string(unum) + " is not 1 to 11");
+  if (found->unums.size() >= teamSize)
+    return refuse("there are already " + std::to_string(teamSize) + " players");
+  if (!isUniformNumber(unum))
+    return refuse("number " + std::to_string(unum) + " is not 1 to " + std::to_string(teamSize));
   if (found->unums.count(unum)) return refuse("number " + std::to_string(unum) + " is taken");
   if (type < 0 || type >= numSimsparkTypes()) return refuse("there is no robot type " + std::to_string(type));
   if (const std::string problem = typeProblem(*found, type); !problem.empty()) return refuse(problem);

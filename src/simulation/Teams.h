@@ -16,8 +16,6 @@ using simspark::TeamSide;
 /// Who plays with which number and which robot, within the league's limits for a team of different robots.
 class Teams {
 public:
-  static constexpr int maxPlayers = 11;
-
   explicit Teams(const Rules::Types& rules = {}) : rules_(rules) {}
 
   struct Place {

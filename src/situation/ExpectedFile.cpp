@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "field/TeamSize.h"
 #include "framework/ConfigSection.h"
 #include "math/Angle.h"
 #include "representations/behavior/Skill.h"
@@ -11,7 +12,7 @@ namespace plumbline {
 namespace {
 
 const Range onField(-SituationLimits::farthest, SituationLimits::farthest),
-    distances(0, SituationLimits::farthest), numbers(0, SituationLimits::mostPlayers);
+    distances(0, SituationLimits::farthest), numbers(0, teamSize);
 
 template <typename Choice, std::size_t n>
 Choice chosen(const ConfigSection& section, const char* key, const std::array<const char*, n>& names) {

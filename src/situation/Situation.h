@@ -16,7 +16,6 @@ namespace plumbline {
 /// What a situation may hold at most.
 struct SituationLimits {
   static constexpr double farthest = 100;  ///< of a place from the middle [m]
-  static constexpr int mostPlayers = 11;   ///< of a team
 };
 
 /// What decides in a situation.

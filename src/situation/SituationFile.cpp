@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "field/TeamSize.h"
 #include "framework/ConfigFile.h"
 #include "math/Angle.h"
 #include "representations/infrastructure/TeamPlayModeNames.h"
@@ -15,7 +16,6 @@ namespace {
 constexpr double farthest = SituationLimits::farthest;
 constexpr double fastest = 30;    // [m/s]
 constexpr double longest = 1000;  // [s]
-constexpr int mostPlayers = SituationLimits::mostPlayers;
 constexpr std::size_t mostKicks = 20, mostWords = 400;
 const Range places(-farthest, farthest), times(0, longest);
 
@@ -30,9 +30,9 @@ Pose2 poseOf(const ConfigSection& root, const char* key) {
 }
 
 int numberOf(const ConfigSection& root, const char* key, double number) {
-  if (number != std::floor(number) || number < 0 || number > mostPlayers)
+  if (number != std::floor(number) || number < 0 || number > teamSize)
     root.fail(key, fmt::format("has {:g} where a player's number from 0 (not known) to {} must be", number,
-                               mostPlayers));
+                               teamSize));
   return static_cast<int>(number);
 }
 
@@ -41,8 +41,8 @@ std::vector<std::vector<double>> rowsOf(const ConfigSection& root, const char* k
                                         std::size_t most, const char* form) {
   auto rows =
       root.find<std::vector<std::vector<double>>>(key, places).value_or(std::vector<std::vector<double>>());
-  if (rows.size() > mostPlayers)
-    root.fail(key, fmt::format("must have {} at most, not {}", mostPlayers, rows.size()));
+  if (rows.size() > teamSize)
+    root.fail(key, fmt::format("must have {} at most, not {}", teamSize, rows.size()));
   for (std::size_t i = 0; i < rows.size(); ++i)
     if (rows[i].size() < least || rows[i].size() > most)
       root.fail(key, fmt::format("must be a list of {}; number {} of it has {} values", form, i + 1,
@@ -86,7 +86,7 @@ void readMotion(const ConfigSection& root, Situation& situation) {
 }
 
 void readTeam(const ConfigSection& root, Situation& situation) {
-  situation.player = root.get<int>("player", 1, mostPlayers);
+  situation.player = root.get<int>("player", 1, teamSize);
   bool found = false;
   for (const auto& row : rowsOf(root, "team", 5, 5, "[number, x, y, heading, seconds to the ball]")) {
     const SaidPlace said{numberOf(root, "team", row[0]), Pose2(row[1], row[2], row[3]), row[4]};
@@ -154,7 +154,7 @@ Situation readSituation(const std::string& path) {
   if (knowsMode(situation.decides) && root.has("mode"))
     situation.mode = static_cast<TeamPlayMode>(root.choice("mode", wordsOf(teamPlayModeNames)));
   if (situation.decides != Decider::formation && situation.decides != Decider::block)
-    situation.player = root.find<int>("player", Range(0, mostPlayers)).value_or(0);
+    situation.player = root.find<int>("player", Range(0, teamSize)).value_or(0);
   situation.ball = root.get<Vec2>("ball", places);
   readOthers(root, situation);
   readOwn(root, situation);

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <stdexcept>
 
+#include "field/TeamSize.h"
 #include "record/CdrStream.h"
 #include "representations/behavior/PlayerRole.h"
 #include "representations/behavior/TeamPlaces.h"
@@ -112,7 +113,7 @@ Situation situationOfLog(LogReader& log, const LogReader::Thread& thread, double
   situation.others = cycle.get<OtherRobots>().robots;
   const auto mates = std::ranges::count(situation.others, true, &OtherRobot::mate);
   const auto most = std::max<std::ptrdiff_t>(mates, std::ssize(situation.others) - mates);
-  if (most > SituationLimits::mostPlayers)
+  if (most > teamSize)
     throw std::runtime_error(
         fmt::format("{}: at {:.2f} s the player believes in a team of {}; take another time", log.path(),
                     cycle.time(), most));

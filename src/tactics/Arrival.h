@@ -2,6 +2,7 @@
 #include <optional>
 
 #include "math/Pose2.h"
+#include "robot/ExpectedRobot.h"
 
 namespace plumbline {
 
@@ -16,8 +17,8 @@ struct MovingRobot {
 
 /// How fast robots are [m/s, rad/s].
 struct MovingSpeeds {
-  double walk = 0.8;
-  double turn = 2;
+  double walk = expectedWalkSpeed;
+  double turn = expectedTurnSpeed;
 };
 
 /// The robot some seconds later: nearer to its place, or where its velocity leads it within a second.

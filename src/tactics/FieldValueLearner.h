@@ -2,6 +2,7 @@
 #include <cstddef>
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "tactics/FieldValue.h"
 
 namespace plumbline {
@@ -16,8 +17,8 @@ namespace plumbline {
 class FieldValueLearner {
 public:
   struct Options {
-    double goalX = 15;            ///< of the goal's line [m]
-    double goalHalfWidth = 1.05;  ///< [m]
+    double goalX = FieldSize().length / 2;             ///< of the goal's line [m]
+    double goalHalfWidth = FieldSize().goalWidth / 2;  ///< [m]
     double priorSteps = 3;
     double priorDeviation = 2;  ///< [m]
     double priorDrift = 1;      ///< of a ball that is one team's, towards the other's goal [m]

@@ -10,6 +10,7 @@
 #include "simspark/AgentCommand.h"
 #include "simspark/Connection.h"
 #include "simspark/MonitorClient.h"
+#include "simspark/Ports.h"
 #include "simspark/ServerMessage.h"
 #include "simulation/world/World.h"
 
@@ -18,7 +19,7 @@ namespace plumbline::training {
 /// Where a SimSpark server, the league's or bin/simulator, listens for agents and for trainers.
 struct SimSparkAddress {
   std::string host = "127.0.0.1";
-  int agentPort = 3100, monitorPort = 3200;
+  int agentPort = simspark::standardAgentPort, monitorPort = simspark::standardMonitorPort;
 
   /// From HOST:AGENTPORT:MONITORPORT, or "server" for the usual one. Throws std::invalid_argument, one line.
   static SimSparkAddress parse(const std::string& text);

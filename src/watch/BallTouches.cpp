@@ -8,8 +8,8 @@ namespace plumbline::watch {
 
 namespace {
 
-constexpr double shotSpeed = 1.5, shotReach = 12, besideGoal = 0.5;  // [m/s, m]
-constexpr double moving = 0.5, carriedSpeed = 15;                    // [m/s]
+constexpr double shotSpeed = 1.5, shotReach = 12, mostMiss = 0.5;  // [m/s, m]
+constexpr double moving = 0.5, carriedSpeed = 15;                  // [m/s]
 constexpr double pageStep = 0.099;  // a server may send scenes more often than the page keeps them [s]
 constexpr double leastStep = 0.01, mostStep = 1;  // between two moments [s]
 const double turnedCosine = std::cos(std::numbers::pi / 5);
@@ -76,7 +76,7 @@ bool BallTouches::isShot(const Touch& touch) const {
   const double way = (goal - touch.place.x()) / touch.velocity.x();
   if (touch.velocity.norm() < shotSpeed || !(way > 0) || std::abs(goal - touch.place.x()) > shotReach)
     return false;
-  return std::abs(touch.place.y() + way * touch.velocity.y()) < halfGoal_ + besideGoal;
+  return std::abs(touch.place.y() + way * touch.velocity.y()) < halfGoal_ + mostMiss;
 }
 
 void BallTouches::count(const Touch& touch, const Touch& next) {

@@ -2,6 +2,8 @@
 #include <functional>
 #include <string>
 
+#include "field/TeamSize.h"
+#include "simspark/Ports.h"
 #include "watch/GameCounter.h"
 
 namespace plumbline {
@@ -27,9 +29,9 @@ struct GameResult {
 
 struct GameWatchOptions {
   std::string host = "127.0.0.1";
-  int port = 3200;         ///< monitor port
-  int players = 22;        ///< kick-off waits for so many
-  double patience = 60;    ///< so long; then with those who are there [s of real time]
+  int port = simspark::standardMonitorPort;  ///< monitor port
+  int players = 2 * teamSize;                ///< kick-off waits for so many
+  double patience = 60;                      ///< so long; then with those who are there [s of real time]
   double settle = 2;       ///< before each kick-off, for robots to beam and rest [s of real time]
   double hang = 60;        ///< nothing changed for so long: it hangs [s of real time]
   double limit = 1e9;      ///< so long in all [s of real time]

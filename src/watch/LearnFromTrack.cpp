@@ -4,17 +4,20 @@
 #include <cmath>
 #include <optional>
 
+#include "robot/ExpectedRobot.h"
+
 namespace plumbline::watch {
 namespace {
 
-constexpr double walkSpeed = 0.8, getUp = 4, farTime = 30;  ///< as TimeToBall's [m/s, s]
-constexpr double gap = 0.8;  ///< moments farther apart are not of one course [s]
+constexpr double farTime = 30;  ///< no team needs longer, nor one without players [s]
+constexpr double gap = 0.8;     ///< moments farther apart are not of one course [s]
 
 double timeToBall(const TrackMoment& moment, bool left) {
   double best = farTime;
   for (const TrackPlayer& player : moment.players)
     if (player.left == left)
-      best = std::min(best, (player.place - moment.ball).norm() / walkSpeed + (player.stands ? 0.0 : getUp));
+      best = std::min(best, (player.place - moment.ball).norm() / expectedWalkSpeed +
+                                (player.stands ? 0.0 : expectedGetUpSeconds));
   return best;
 }
 

@@ -8,6 +8,7 @@
 #include <stdexcept>
 #include <string_view>
 
+#include "field/TeamSize.h"
 #include "framework/FileLines.h"
 #include "framework/StopSignal.h"
 
@@ -73,7 +74,7 @@ std::vector<TrackMoment> readTrack(const std::string& file) {
     if (line[1] != "left" && line[1] != "right") line.fail("the side must be ball, left or right");
     if (moments.empty()) line.fail("a player before the first ball");
     moments.back().players.push_back(
-        {line[1] == "left", static_cast<int>(line.number(2, 11)), place, line.number(5, 1.1) > 0.5});
+        {line[1] == "left", static_cast<int>(line.number(2, teamSize)), place, line.number(5, 1.1) > 0.5});
   }
   return moments;
 }

@@ -13,6 +13,7 @@
 #include <utility>
 #include <vector>
 
+#include "field/TeamSize.h"
 #include "framework/ReadFile.h"
 
 namespace plumbline::web {
@@ -22,7 +23,6 @@ using nlohmann::json;
 
 constexpr std::size_t mostBytes = std::size_t{8} << 20, longestLine = 1000, longestAction = 40;
 constexpr std::size_t columnsBefore = 3, columnsOfAction = 5;
-constexpr int mostPlayers = 11;
 constexpr double latest = 1e6;     // clock [s]
 constexpr double farthest = 1000;  // [m]
 constexpr double mostWorth = 10;   // value, to both sides
@@ -120,7 +120,7 @@ private:
 std::string gameDecisions(const std::string& folder) {
   json players = json::array();
   for (const bool left : {true, false})
-    for (int number = 1; number <= mostPlayers; ++number) {
+    for (int number = 1; number <= teamSize; ++number) {
       const char* side = left ? "left" : "right";
       const std::string file = fmt::format("{}/{}-{}.csv", folder, side, number);
       std::error_code none;

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "simspark/MonitorClient.h"
+#include "simspark/Ports.h"
 #include "web/Broadcast.h"
 #include "web/DrawingPort.h"
 #include "web/Feed.h"
@@ -22,7 +23,7 @@ class LiveFeed : public Feed {
 public:
   struct Config {
     std::string host = "127.0.0.1";
-    int port = 3200;
+    int port = simspark::standardMonitorPort;
     std::string token{};               ///< of the monitor port
     int drawingPort = 32769;           ///< UDP on the loopback interface; -1: none
     bool drawingPortOptional = false;  ///< go without if it cannot be had

@@ -6,6 +6,8 @@
 #include <optional>
 #include <stdexcept>
 
+#include "field/TeamSize.h"
+
 namespace plumbline::web {
 
 using nlohmann::json;
@@ -39,7 +41,7 @@ Vec3 position(const json& message) {
 
 TrainerCommand moveRobot(const json& message) {
   MoveAgentCommand command;
-  command.player = PlayerName{static_cast<int>(number(message, "unum", 1, 11)), side(message)};
+  command.player = PlayerName{static_cast<int>(number(message, "unum", 1, teamSize)), side(message)};
   command.position = position(message);
   if (message.contains("heading")) command.heading = number(message, "heading", -10, 10);
   return command;

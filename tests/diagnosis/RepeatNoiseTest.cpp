@@ -23,13 +23,13 @@ TEST(RepeatNoiseTest, besideAStrongCauseOnceItIsKnown) {
   Plant plant = nominalPlant(twoJointArm());
   for (JointPlant& joint : plant.joints) joint.viscous += 1;
   const Evidence byRepeats(recordedTwice(plant, noise, 0.1));
-  EXPECT_FALSE(evidenceBesideLosses(byRepeats, {}, 1)) << "nothing tells losses from the rest";
+  EXPECT_FALSE(evidenceWithoutLosses(byRepeats, {}, 1)) << "nothing tells losses from the rest";
   const Explanation causes = {causeOfArm("viscous_friction", "shoulder", 1),
                               causeOfArm("viscous_friction", "elbow", 1)};
-  const std::optional<Evidence> evidence = evidenceBesideLosses(byRepeats, causes, 1);
+  const std::optional<Evidence> evidence = evidenceWithoutLosses(byRepeats, causes, 1);
   ASSERT_TRUE(evidence);
   for (std::size_t s = 0; s < 2; ++s) EXPECT_NEAR(evidence->noise(0, s).sigma, noise, 0.15 * noise) << s;
-  EXPECT_FALSE(evidenceBesideLosses(*evidence, causes, 1)) << "told already";
+  EXPECT_FALSE(evidenceWithoutLosses(*evidence, causes, 1)) << "told already";
 }
 
 TEST(RepeatNoiseTest, lostCommandsAreNoNoise) {

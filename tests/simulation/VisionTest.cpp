@@ -17,7 +17,7 @@ Pose3 standing(double x, double y, double heading) { return translation(x, y, 0.
 
 TEST(Vision, seesWhatIsInTheConeInTheServersOrder) {
   RandomStream random(1);
-  Vision vision(VisionNoise::none(), random);
+  Vision vision(CameraError::none(), random);
   const auto image = vision.see(standing(0, 0, 0), {});
   std::string names;
   for (const auto& object : image.objects) names += object.name + ' ';
@@ -30,7 +30,7 @@ TEST(Vision, seesWhatIsInTheConeInTheServersOrder) {
 
 TEST(Vision, nothingNearerThanTenCentimetresButThroughEverything) {
   RandomStream random(1);
-  Vision vision(VisionNoise::none(), random);
+  Vision vision(CameraError::none(), random);
   VisibleWorld world;
   world.ball = Vec3(0.09, 0, 0.54);
   const auto sees = [&] {
@@ -50,7 +50,7 @@ TEST(Vision, nothingNearerThanTenCentimetresButThroughEverything) {
 
 TEST(Vision, playersByTheirVisibleParts) {
   RandomStream random(1);
-  Vision vision(VisionNoise::none(), random);
+  Vision vision(CameraError::none(), random);
   VisibleWorld world;
   world.players.push_back(
       {"A", 3, {{"head", Vec3(2, 0, 0.54)}, {"rfoot", Vec3(-1, 0, 0)}, {"lfoot", Vec3(2, 0.1, 0)}}});
@@ -69,7 +69,7 @@ TEST(Vision, noiseAsMeasuredOnTheLeaguesServer) {
   double offsetSquares = 0;
   for (std::uint64_t connection = 1; connection <= 40; ++connection) {
     RandomStream random(9, connection);
-    Vision vision(VisionNoise{}, random);
+    Vision vision(CameraError{}, random);
     const int n = 600;
     double sum[3] = {}, squares[3] = {};
     for (int i = 0; i < n; ++i) {
@@ -141,7 +141,7 @@ TEST_P(SeenByTheLeague, sameListOfThingsAtTheSamePlaces) {
   RandomStream random(1);
   const double torsoHeight = 0.4 - 0.5 * 9.81 * 0.02 * 0.02;
   const auto image =
-      Vision(VisionNoise::none(), random).see(translation(-14.2, place, torsoHeight + 0.155), world);
+      Vision(CameraError::none(), random).see(translation(-14.2, place, torsoHeight + 0.155), world);
 
   const double angle = 5 * fromDegrees(0.148) + 0.005 / 1.0;  // noise, and the offset seen from a metre away
   ASSERT_EQ(image.objects.size(), recorded.see->objects.size());

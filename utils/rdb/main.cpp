@@ -11,13 +11,13 @@
 #include "framework/ConfigFolder.h"
 #include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
+#include "inspect/DebugServer.h"
 
 namespace {
 
 using namespace plumbline;
 using namespace plumbline::rdb;
 
-constexpr int standardPort = 3300;
 constexpr double connectSeconds = 3;
 
 struct Options {
@@ -58,7 +58,7 @@ void declare(CommandLine& app, Options& options) {
 
 int portOf(std::string& address) {
   const auto colon = address.find(':');
-  if (colon == std::string::npos) return standardPort;
+  if (colon == std::string::npos) return inspect::DebugServerOptions::standardPort;
   int port = 0;
   const char *begin = address.data() + colon + 1, *end = address.data() + address.size();
   const auto read = std::from_chars(begin, end, port);

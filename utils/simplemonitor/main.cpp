@@ -20,6 +20,7 @@
 #include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 #include "simspark/NumberFormat.h"
+#include "simspark/Ports.h"
 
 namespace {
 
@@ -28,7 +29,6 @@ using simplemonitor::FieldSource;
 using simplemonitor::Terminal;
 
 constexpr int badInput = 2;
-constexpr int fieldPort = 3201, monitorPort = 3200;
 
 struct Options {
   std::string host = "localhost", token, size;
@@ -190,7 +190,8 @@ int runProgram(int argc, char** argv) {
   StopSignal stop;
   stop.catchSignals();
   FieldSource source(options.host,
-                     options.port ? std::vector{options.port} : std::vector{fieldPort, monitorPort},
+                     options.port ? std::vector{options.port}
+                                  : std::vector{simspark::standardFieldPort, simspark::standardMonitorPort},
                      options.token);
   source.interruptBy(stop.fileDescriptor());
   const double start = wallClock();

@@ -14,11 +14,11 @@ namespace plumbline::gap {
 namespace {
 
 // Rules of the planted benchmark; doc/reference/gap-blind.md says why.
-constexpr double exact = 0.05;       ///< of the change: what the planted cause may leave
-constexpr double cancels = -0.5;     ///< correlation with the own gap from which the model comes nearer
-constexpr double sameThing = 0.1;    ///< of the change: what a cause in another name may leave
-constexpr double directed = 0.9;     ///< least cosine of a small cause with the change, to be tried for that
-constexpr double leastNoise = 2e-4;  ///< [rad]
+constexpr double mostLeft = 0.05;            ///< of the change by the planted cause
+constexpr double leastCosineWithGap = -0.5;  ///< of the change with the own gap, else the model comes nearer
+constexpr double mostLeftByAlike = 0.1;      ///< of the change by a cause in another name
+constexpr double leastCosineOfAlike = 0.9;   ///< of a small cause with the change, to be tried for that
+constexpr double leastNoise = 2e-4;          ///< [rad]
 constexpr int tries = 60, triesOfKind = 4;
 
 /// The joint that moves what a cause is at; -1: all of them.
@@ -45,8 +45,8 @@ std::vector<NamedPlace> alikeTo(const PlantingBase& base, const RealRecordings& 
       for (const double start : effect->starts) {
         StopSignal::throwIfCaught();
         const Cause cause{effect, place, start * effect->scaleAt(robot, place)};
-        if (cosine(minus(residualsOf(with, {cause}), planted), wanted) < directed) continue;
-        if (leftOfPlant(base.recordings, with, cause) > sameThing) continue;
+        if (cosine(minus(residualsOf(with, {cause}), planted), wanted) < leastCosineOfAlike) continue;
+        if (leftOfPlant(base.recordings, with, cause) > mostLeftByAlike) continue;
         names.push_back({std::string(effect->id), place.at, place.axis ? std::string(1, place.axis) : ""});
         break;
       }
@@ -95,8 +95,8 @@ bool drawCause(const PlantingBase& base, const std::vector<Cause>& kind, Random&
   const RealRecordings with = planted(base.recordings, cause);
   const std::vector<double> changed = residualsOf(with, {});
   const double change = differenceOf(changed, base.nominal);
-  return change > 0 && cosine(minus(changed, base.nominal), base.nominal) > cancels &&
-         differenceOf(residualsOf(with, {cause}), base.nominal) <= exact * change;
+  return change > 0 && cosine(minus(changed, base.nominal), base.nominal) > leastCosineWithGap &&
+         differenceOf(residualsOf(with, {cause}), base.nominal) <= mostLeft * change;
 }
 
 }  // namespace
@@ -138,7 +138,7 @@ RealRecordings plantCase(const PlantingBase& base, std::size_t turn, Random& ran
       Explanation all = causes;
       all.push_back(cause);
       const double change = differenceOf(residualsOf(both, {}), base.nominal);
-      if (differenceOf(residualsOf(both, all), base.nominal) > exact * change) continue;
+      if (differenceOf(residualsOf(both, all), base.nominal) > mostLeft * change) continue;
       with = std::move(both);
       causes = std::move(all);
       triedOfKind = 0;

@@ -13,10 +13,10 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double farBetter = 0.2;  // of a recording's squares that has to go without the cause
-constexpr double worthIt = 0.05;   // of all squares, for each recording, with values fitted again
+constexpr double leastShareOfOne = 0.2;   // of a recording's squares that has to go without the cause
+constexpr double leastShareOfAll = 0.05;  // of all squares, for each recording, with values fitted again
 constexpr std::size_t fittedStarts = 6;
-constexpr double needless = 0.02;  // more squares without it: a cause that is not needed
+constexpr double mostShareOfNeedless = 0.02;  // more squares without a cause that is not needed
 
 /// Squares on the blocks for judging of each recording with a fixed base.
 std::map<std::string, double> squaresByRecording(const Evidence& data, const Fit& fit) {
@@ -46,8 +46,8 @@ std::vector<std::string> changed(const Evaluator& evaluator, const Explanation& 
   for (const auto& [name, squares] : with) {
     const bool out = std::ranges::find(names, name) != names.end();
     const double now = out ? less.at(name) : squares, then = out ? squares : less.at(name);
-    shown = shown || less.at(name) - squares > std::max(leastGain, farBetter * less.at(name));
-    if (now - then < std::max(mostGain, farBetter * now)) continue;
+    shown = shown || less.at(name) - squares > std::max(leastGain, leastShareOfOne * less.at(name));
+    if (now - then < std::max(mostGain, leastShareOfOne * now)) continue;
     mostGain = now - then;
     most = name;
   }
@@ -65,7 +65,7 @@ Candidate setInSome(const Evaluator& nominal, Cause cause) {
   const auto before = squaresByRecording(data, nominal.baseFit()), after = squaresByRecording(data, fit);
   bool any = false;
   for (const auto& [name, squares] : before) {
-    const double loss = after.at(name) - squares, far = std::max(leastGain, farBetter * squares);
+    const double loss = after.at(name) - squares, far = std::max(leastGain, leastShareOfOne * squares);
     any = any || -loss > far;
     if (loss <= far) continue;
     cause.inactiveIn.push_back(name);
@@ -82,7 +82,7 @@ Explanation needed(const Evaluator& evaluator, Explanation causes, int jobs) {
     if (!causes[i].inactiveIn.empty()) continue;
     Explanation less = fitSettled(evaluator, without(causes, i), jobs);
     const double left = evaluator.of(less).judging;
-    if (left - judging >= std::max(leastGain, needless * judging)) continue;
+    if (left - judging >= std::max(leastGain, mostShareOfNeedless * judging)) continue;
     causes = std::move(less);
     judging = left;
   }
@@ -101,7 +101,7 @@ Explanation inactiveWhereNotSet(const Evaluator& evaluator, int jobs) {
       if (tried[i].inactiveIn == best[i].inactiveIn) break;
       tried = fitTogether(evaluator, tried, jobs);
       // The changes end: each takes away its share.
-      if (evaluator.of(tried).judging > (1 - worthIt) * evaluator.of(best).judging) break;
+      if (evaluator.of(tried).judging > (1 - leastShareOfAll) * evaluator.of(best).judging) break;
       best = std::move(tried);
     }
   }

@@ -28,11 +28,11 @@ namespace {
 // base are explained. On the feet a sticking joint lets go a moment too late, and then the rest of the run
 // differs.
 constexpr double maxFloatingBaseLeft = 0.9;
-constexpr double crowded = 0.25;        // more of what remains counts for each further cause at one joint
-constexpr double maxRestOffset = 0.15;  // mean of a sensor at rest over its noise, that no cause may leave
-constexpr double farOff = 3;            // times what may remain: no set of causes is worth another look
+constexpr double shareOfFurther = 0.25;  // more of what remains counts for each further cause at one joint
+constexpr double maxRestOffset = 0.15;   // mean of a sensor at rest over its noise, that no cause may leave
+constexpr double mostRemainder = 3;      // times what may remain: no set of causes is worth another look
 
-constexpr double otherStart = 0.7;  // of the best first cause's gain: what gains less is no other start
+constexpr double leastGainShare = 0.7;  // of the best first cause's gain: what gains less is no other start
 constexpr std::size_t otherStarts = 3;
 constexpr int configurationPasses = 2;  // looks for recordings with other settings, causes added in between
 constexpr double maxErrorShare = 0.95;  // of the error across settings: another set is not worth it
@@ -86,7 +86,7 @@ private:
     // With runs on the feet only, each search takes a minute, and a second round takes ten.
     if (!fine_.hasFixedBase()) return;
     tryOtherFirstCauses(nominal);
-    if (selection_.causes.size() > 1 && selection_.remainder().mayRemain(farOff)) reconsider();
+    if (selection_.causes.size() > 1 && selection_.remainder().mayRemain(mostRemainder)) reconsider();
     otherPair();
   }
 
@@ -161,7 +161,7 @@ private:
     std::vector<Candidates> bestChoices = selection_.choices;
     double bestJudging = fine_.baseFit().judging;
     for (std::size_t i = 1; i < std::min(firsts.size(), 1 + otherStarts); ++i) {
-      if (nominal - firsts[i].fit.judging < otherStart * (nominal - firsts.front().fit.judging)) break;
+      if (nominal - firsts[i].fit.judging < leastGainShare * (nominal - firsts.front().fit.judging)) break;
       selection_.causes = {firsts[i].cause};
       selection_.choices.assign(1, {});  // what stood for choice before was judged without what comes in now
       fine_.setBase(selection_.causes);
@@ -281,7 +281,7 @@ private:
     fine_.setBase({});
     selection_.causes = configurationOfSome(fine_, options_.jobs);
     fine_.setBase(selection_.causes);
-    if (!selection_.causes.empty() && selection_.remainder().mayRemain(farOff)) {
+    if (!selection_.causes.empty() && selection_.remainder().mayRemain(mostRemainder)) {
       selection_.choices.assign(1, {});
       selection_.grow();
       if (selection_.remainder().mayRemain()) {
@@ -317,8 +317,8 @@ private:
     if (foundOnFixedBase && leftOnFixedBase <= 1) onFeet = std::min(onFeet, maxFloatingBaseLeft);
     // A set that predicts a setting without being fitted to it is no chance combination.
     const int together = chosenAcrossGroups_ ? 1 : mostAtOneJoint(selection_.causes);
-    double remains =
-        std::max({left.unaccountedOnFixedBase(), onFeet, leftOnFixedBase}) * (1 + crowded * (together - 1));
+    double remains = std::max({left.unaccountedOnFixedBase(), onFeet, leftOnFixedBase}) *
+                     (1 + shareOfFurther * (together - 1));
     const WorstGap sensor = worstRestOffset(fine_);
     if (sensor.size > maxRestOffset) {
       result_.sensorOff = sensor.signal;

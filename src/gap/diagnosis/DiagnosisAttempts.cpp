@@ -48,10 +48,10 @@ Diagnosis DiagnosisAttempts::run(std::vector<Trial> trials) {
     Diagnosis first = attempt(evidenceOf(std::move(trials), options_.jobs), memoryFile_);
     if (first.findings.empty()) return first;
     beginNoise();
-    std::optional<Evidence> besideLosses =
-        evidenceBesideLosses(attempts_.front()->evidence, first.explanation(), options_.jobs);
-    if (!besideLosses) return first;
-    return attempt(*std::move(besideLosses), memoryFile_.empty() ? "" : memoryFile_ + "2");
+    std::optional<Evidence> withoutLosses =
+        evidenceWithoutLosses(attempts_.front()->evidence, first.explanation(), options_.jobs);
+    if (!withoutLosses) return first;
+    return attempt(*std::move(withoutLosses), memoryFile_.empty() ? "" : memoryFile_ + "2");
   } catch (const Stopped&) {
     for (auto last = attempts_.rbegin(); last != attempts_.rend(); ++last)
       if ((*last)->memory.size() > 0)

@@ -52,9 +52,9 @@ double meanWithoutWorst(const std::vector<Squares>& blocks) {
 /// Mean weighted square of a joint's residuals, without the part that a constant lead or lag of up to 0.2 ms
 /// explains. The explicit steps of one engine are ahead of the implicit ones of another (measured 0.14 ms for
 /// steps of 0.2 ms).
-class MeanBesideLead {
+class MeanWithoutLead {
 public:
-  MeanBesideLead(const Trial& trial, const Signal& signal)
+  MeanWithoutLead(const Trial& trial, const Signal& signal)
       : trial_(trial), signal_(signal), moves_(signal.kind == SignalKind::position && !trial.freeBase) {}
   void add(std::size_t k, double w, double r) {
     const double v = moves_ ? rateAt(trial_, signal_, k) : 0;
@@ -165,7 +165,7 @@ void Evaluator::setBase(const Explanation& explanation) {
     for (std::size_t s = 0; s < trial.signals.size(); ++s) {
       const auto& predicted = predictions_[t].values[s];
       if (predicted.empty()) continue;
-      MeanBesideLead mean(trial, trial.signals[s]);
+      MeanWithoutLead mean(trial, trial.signals[s]);
       const std::vector<double>& weights = data_.weights(t, s);
       const std::size_t first = data_.block(t, 0);
       std::vector<Squares> blocks(data_.block(t, trial.cycles() - 1) - first + 1, Squares(trial.freeBase));

@@ -94,12 +94,12 @@ void ForwardSelection::setBaseTo(const Explanation& old, const Cause& cause) {
 void ForwardSelection::settleLosses() {
   if (causes.size() < 2 || !losesCommands(causes)) return;
   for (int pass = 0; pass < passes; ++pass)
-    if (!decodeBeside(1) && !decodeBeside(strengthRatio)) return;
+    if (!decodeLossesWith(1) && !decodeLossesWith(strengthRatio)) return;
 }
 
 /// Decodes lost commands with the other causes at `strength` times their strength, then fits these again;
 /// keeps the result if it predicts better.
-bool ForwardSelection::decodeBeside(double strength) {
+bool ForwardSelection::decodeLossesWith(double strength) {
   const double before = fine_.baseFit().judging;
   const auto cyclesBefore = fine_.lostCycles();
   Explanation others, tried = causes;

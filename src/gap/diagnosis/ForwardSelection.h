@@ -41,7 +41,7 @@ private:
   bool accept(const std::vector<Candidate>& list);
   void setBaseTo(const Explanation& old, const Cause& cause);
   void settleLosses();
-  bool decodeBeside(double strength);
+  bool decodeLossesWith(double strength);
   bool isOneServosSetting(const Cause& cause) const;
   double leastPart() const;
   std::vector<Candidate> withItself(std::vector<Candidate> list, const Cause& cause) const;

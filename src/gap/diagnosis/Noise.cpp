@@ -146,8 +146,8 @@ bool repeatsAgree(const std::vector<Trial>& trials) {
   return any;
 }
 
-std::vector<std::vector<SignalNoise>> estimateNoiseBeside(const std::vector<Prediction>& predictions,
-                                                          const std::vector<Trial>& trials) {
+std::vector<std::vector<SignalNoise>> estimateNoiseOfResiduals(const std::vector<Prediction>& predictions,
+                                                               const std::vector<Trial>& trials) {
   std::vector<Trial> left = trials;
   for (std::size_t t = 0; t < left.size(); ++t)
     for (std::size_t s = 0; s < predictions[t].values.size(); ++s)

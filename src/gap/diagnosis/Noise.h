@@ -37,7 +37,7 @@ bool repeatsAgree(const std::vector<Trial>& trials);
 
 /// The noise of the residuals of predictions, from repeats: for recordings that differ by more than noise in
 /// a way that can be predicted. Signals without a prediction count as they were read.
-std::vector<std::vector<SignalNoise>> estimateNoiseBeside(const std::vector<Prediction>& predictions,
-                                                          const std::vector<Trial>& trials);
+std::vector<std::vector<SignalNoise>> estimateNoiseOfResiduals(const std::vector<Prediction>& predictions,
+                                                               const std::vector<Trial>& trials);
 
 }  // namespace plumbline::gap

@@ -72,7 +72,8 @@ double explainedBy(const std::vector<Prediction>& predictions, const Evidence& e
 
 }  // namespace
 
-std::optional<Evidence> evidenceBesideLosses(const Evidence& byRepeats, const Explanation& causes, int jobs) {
+std::optional<Evidence> evidenceWithoutLosses(const Evidence& byRepeats, const Explanation& causes,
+                                              int jobs) {
   const std::vector<Trial>& trials = byRepeats.trials();
   Evidence evidence(trials, NoiseFrom::itself);
   if (!isNoisier(byRepeats, evidence)) return {};
@@ -82,7 +83,7 @@ std::optional<Evidence> evidenceBesideLosses(const Evidence& byRepeats, const Ex
     if (round == 0 &&
         (lost.found < LostCycles::minCount || explainedBy(predictions, evidence) <= minExplainedShare))
       return {};
-    evidence = Evidence(trials, estimateNoiseBeside(predictions, trials));
+    evidence = Evidence(trials, estimateNoiseOfResiduals(predictions, trials));
   }
   if (!isNoisier(byRepeats, evidence)) return {};
   return evidence;
@@ -90,8 +91,8 @@ std::optional<Evidence> evidenceBesideLosses(const Evidence& byRepeats, const Ex
 
 Evidence evidenceOf(std::vector<Trial> trials, int jobs) {
   Evidence byRepeats(std::move(trials));
-  std::optional<Evidence> besideLosses = evidenceBesideLosses(byRepeats, {}, jobs);
-  return besideLosses ? *std::move(besideLosses) : byRepeats;
+  std::optional<Evidence> withoutLosses = evidenceWithoutLosses(byRepeats, {}, jobs);
+  return withoutLosses ? *std::move(withoutLosses) : byRepeats;
 }
 
 }  // namespace plumbline::gap

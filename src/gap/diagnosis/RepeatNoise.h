@@ -13,6 +13,6 @@ Evidence evidenceOf(std::vector<Trial> trials, int jobs);
 
 /// The same for a robot with these causes, with which lost commands may show better. Nothing if that lowers
 /// the noise by less than a third: then repeats differ by noise, or by something else.
-std::optional<Evidence> evidenceBesideLosses(const Evidence& byRepeats, const Explanation& causes, int jobs);
+std::optional<Evidence> evidenceWithoutLosses(const Evidence& byRepeats, const Explanation& causes, int jobs);
 
 }  // namespace plumbline::gap

@@ -15,7 +15,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr int fitSteps = 8;
-constexpr double worthSaying = 0.02;
+constexpr double leastClosed = 0.02;  // share of the gap that is worth a sentence
 /// With a tenth of the squares left in some ten independent samples, standard deviations of 1.8 and 3.2 of
 /// the least starts of a search: decision 17.
 constexpr Shrinkage prior{.own = 3e-3, .common = 1e-3};
@@ -35,7 +35,7 @@ PerJoint startAt(const Mechanism& robot, const Explanation& named) {
 }  // namespace
 
 std::string AllJointFit::sentence() const {
-  if (closed <= worthSaying) return "";
+  if (closed <= leastClosed) return "";
   char text[160];
   std::snprintf(text, sizeof text,
                 "A further %.0f %% closes by fitting %zu values of all joints at once; not attributable.",

@@ -75,14 +75,14 @@ private:
     const auto look = [&](const std::vector<std::size_t>& other) {
       if (score(other).score() > score(best).score()) best = other;
     };
-    const auto lookBeside = [&](const std::vector<std::size_t>& rest) {
+    const auto lookAtOneMore = [&](const std::vector<std::size_t>& rest) {
       for (const std::size_t kind : linear_->proposals(score(rest).set, proposalsPerMove))
         if (const auto larger = extended(rest, kind)) look(*larger);
     };
-    lookBeside(kinds);
+    lookAtOneMore(kinds);
     for (const std::size_t kind : kinds) {
       look(lessOne(kinds, kind));
-      lookBeside(lessOne(kinds, kind));
+      lookAtOneMore(lessOne(kinds, kind));
     }
     return best;
   }

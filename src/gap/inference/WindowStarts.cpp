@@ -11,9 +11,9 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double besideStart = 0.03;     // [s] to either side of a start that determine its state
-constexpr std::size_t leastBeside = 3;   // readings to either side
-constexpr std::size_t leastCycles = 12;  // of a window
+constexpr double secondsAroundStart = 0.03;  // [s] to either side of a start that determine its state
+constexpr std::size_t leastReadings = 3;     // to either side
+constexpr std::size_t leastCycles = 12;      // of a window
 
 MeasuredState unknownState() {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -50,7 +50,7 @@ Polynomial polynomialThrough(const std::vector<double>& times, const std::vector
 MeasuredState stateAt(const Trial& trial, const Signal& signal, std::size_t cycle, double noise) {
   const double cycleSeconds =
       (trial.time.back() - trial.time.front()) / static_cast<double>(trial.cycles() - 1);
-  const auto each = std::max(leastBeside, static_cast<std::size_t>(besideStart / cycleSeconds));
+  const auto each = std::max(leastReadings, static_cast<std::size_t>(secondsAroundStart / cycleSeconds));
   const std::size_t from = cycle > each ? cycle - each : 0, to = std::min(trial.cycles(), cycle + each + 1);
   const double shift = trial.positionAt[static_cast<std::size_t>(signal.joint)];
   std::vector<double> times, values;
@@ -59,7 +59,7 @@ MeasuredState stateAt(const Trial& trial, const Signal& signal, std::size_t cycl
     times.push_back(trial.time[k] + shift - trial.time[cycle]);
     values.push_back(signal.values[k]);
   }
-  if (times.size() < 2 * leastBeside) return unknownState();
+  if (times.size() < 2 * leastReadings) return unknownState();
   const Polynomial square = polynomialThrough(times, values, 2), cubic = polynomialThrough(times, values, 3);
   if (!square.x.allFinite() || !cubic.x.allFinite()) return unknownState();
   const Eigen::Vector2d bend = cubic.x.head<2>() - square.x.head<2>();

@@ -9,6 +9,7 @@
 #include "framework/StopSignal.h"
 #include "gap/record/SimulatedRecording.h"
 #include "gap/record/Waves.h"
+#include "math/Gravity.h"
 #include "robot/JointId.h"
 #include "simspark/AgentCommand.h"
 #include "simspark/Connection.h"
@@ -197,7 +198,7 @@ SimsparkRecording recordSimspark(const Mechanism& robot, const Excitation& progr
     for (const Mechanism::Foot& foot : robot.feet)
       writeForces(run, k, foot, foot.name.starts_with("L") ? message.leftFoot : message.rightFoot);
     result.fell = result.fell || (k > 10 && message.acc.z() < 0.5 * message.acc.norm() &&
-                                  std::abs(message.acc.norm() - 9.81) < 3);
+                                  std::abs(message.acc.norm() - earthGravity) < 3);
     session.drive(targets);
     ++k;
   }

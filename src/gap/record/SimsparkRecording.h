@@ -5,12 +5,13 @@
 
 #include "gap/record/Excitation.h"
 #include "gap/run/Run.h"
+#include "simspark/Ports.h"
 
 namespace plumbline::gap {
 
 struct SimsparkRecordingOptions {
   std::string host = "127.0.0.1";
-  int port = 3100;
+  int port = simspark::standardAgentPort;
   int type = 0;  ///< of the robot, as simsparkRobots
   std::string team = "Plumbline";
   int number = 0;      ///< of the player; 0: the next free one

@@ -11,12 +11,12 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double apart = 1, atMost = 1.5;      // [s]: in the middle of a step, or anywhere
-constexpr double alone = 0.9;                  // share of what all feet carry: the robot is on this foot
-constexpr int leastSteps = 4;                  // changes from one foot to another
-constexpr double before = 0.06, after = 0.03;  // [s] of a landing or lift-off that shakes the body
-constexpr double shifts = 0.03;                // of the load: more is one
-constexpr int halfWindow = 2;                  // cycles on either side that a speed is taken from
+constexpr double leastSeconds = 1, mostSeconds = 1.5;  // apart: in the middle of a step, or anywhere
+constexpr double leastShareOfLoad = 0.9;               // of what all feet carry: the robot is on this foot
+constexpr int leastSteps = 4;                          // changes from one foot to another
+constexpr double secondsBefore = 0.06, secondsAfter = 0.03;  // a landing or lift-off shakes the body
+constexpr double mostShiftOfLoad = 0.03;                     // more is a landing or lift-off
+constexpr int halfWindow = 2;  // cycles on either side that a speed is taken from
 
 /// Per cycle and foot, its share of what all feet carry; empty where no foot is pressed or a sample was lost.
 std::vector<std::vector<double>> loadShares(const Trial& trial) {
@@ -41,7 +41,7 @@ std::vector<std::vector<double>> loadShares(const Trial& trial) {
 /// The foot that carries nearly everything, or -1.
 int standsOn(const std::vector<double>& shares) {
   const auto most = std::ranges::max_element(shares);
-  return most != shares.end() && *most >= alone ? static_cast<int>(most - shares.begin()) : -1;
+  return most != shares.end() && *most >= leastShareOfLoad ? static_cast<int>(most - shares.begin()) : -1;
 }
 
 /// Slope of a straight line through the samples around a cycle; NaN next to gaps.
@@ -71,14 +71,14 @@ Restart restartAt(const Trial& trial, std::size_t k, std::vector<double> load) {
 
 /// Whether load stays where it is from a little before the cycle to a little after it.
 bool isBetweenSteps(const Trial& trial, const std::vector<std::vector<double>>& shares, std::size_t k) {
-  const auto from = std::ranges::lower_bound(trial.time, trial.time[k] - before) - trial.time.begin();
-  const auto to = std::ranges::upper_bound(trial.time, trial.time[k] + after) - trial.time.begin();
+  const auto from = std::ranges::lower_bound(trial.time, trial.time[k] - secondsBefore) - trial.time.begin();
+  const auto to = std::ranges::upper_bound(trial.time, trial.time[k] + secondsAfter) - trial.time.begin();
   const std::span around(shares.begin() + from, shares.begin() + to);
   if (std::ranges::any_of(around, &std::vector<double>::empty)) return false;
   for (std::size_t foot = 0; foot < trial.robot->feet.size(); ++foot) {
     const auto [least, most] = std::ranges::minmax_element(
         around, {}, [&](const std::vector<double>& loads) { return loads[foot]; });
-    if ((*most)[foot] - (*least)[foot] > shifts) return false;
+    if ((*most)[foot] - (*least)[foot] > mostShiftOfLoad) return false;
   }
   return true;
 }
@@ -101,8 +101,8 @@ void cutIntoSteps(Trial& trial) {
       if (last >= 0 && foot != last) ++steps;
       last = foot;
       const std::size_t middle = (k + end) / 2;
-      if (sinceLast(middle) >= apart) restarts.push_back(restartAt(trial, middle, shares[middle]));
-    } else if (!shares[k].empty() && sinceLast(k) >= atMost) {
+      if (sinceLast(middle) >= leastSeconds) restarts.push_back(restartAt(trial, middle, shares[middle]));
+    } else if (!shares[k].empty() && sinceLast(k) >= mostSeconds) {
       restarts.push_back(restartAt(trial, k, shares[k]));
     }
     k = end;

@@ -6,21 +6,16 @@
 
 namespace plumbline::gap {
 
-namespace {
-
-constexpr double fadeShare = 0.1;  // of the speed limit, over which the torque fades to nothing
-
-}  // namespace
-
 void holdWithin(double limit, double maxSpeed, double x, double w, ServoLine& line) {
   const double torque = line.at(x, w), sign = torque < 0 ? -1 : 1;
-  const double speed = sign * w, fadeFrom = (1 - fadeShare) * maxSpeed;
+  const double speed = sign * w, fadeFrom = (1 - JointPlant::fadeShare) * maxSpeed;
   double allowed = limit;
-  if (maxSpeed > 0 && speed > fadeFrom) allowed *= std::max(0.0, (maxSpeed - speed) / (fadeShare * maxSpeed));
+  if (maxSpeed > 0 && speed > fadeFrom)
+    allowed *= std::max(0.0, (maxSpeed - speed) / (JointPlant::fadeShare * maxSpeed));
   if (std::abs(torque) <= allowed) return;
   line = {};
   if (maxSpeed > 0 && speed > fadeFrom && speed < maxSpeed) {
-    line.damping = limit / (fadeShare * maxSpeed);
+    line.damping = limit / (JointPlant::fadeShare * maxSpeed);
     line.torque = sign * line.damping * maxSpeed;
     line.regime = sign > 0 ? 3 : 4;
   } else {

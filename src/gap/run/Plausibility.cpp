@@ -9,14 +9,15 @@
 namespace plumbline::gap {
 namespace {
 
-constexpr double farFrom = 50;       // times the robot's own gain or supply, or a part of it
-constexpr double rateWithin = 0.05;  // of the step that the times have
-constexpr double mostShift = 0.25;   // [s]: more than any bus, firmware or effect of the library delays
-constexpr double mostLag = 0.5;      // [s] that a joint follows its command by, slow servos included
-constexpr double mostLead = 0.02;    // [s] that it goes before it, by how clocks are read
-constexpr double lookedAt = 2;       // [s] to either side
-constexpr double coarsest = 0.01;    // [s] between the samples that are compared
-constexpr double alike = 0.9, other = 0.2;  // correlation of speeds; that it is more than at a plausible lag
+constexpr double mostServoRatio = 50;     // times the robot's own gain or supply, or a part of it
+constexpr double mostRateError = 0.05;    // of the step that the times have
+constexpr double mostShift = 0.25;        // [s]: more than any bus, firmware or effect of the library delays
+constexpr double mostLag = 0.5;           // [s] that a joint follows its command by, slow servos included
+constexpr double mostLead = 0.02;         // [s] that it goes before it, by how clocks are read
+constexpr double longestLag = 2;          // [s] to either side
+constexpr double longestStep = 0.01;      // [s] between the samples that are compared
+constexpr double leastCorrelation = 0.9;  // of speeds
+constexpr double leastCorrelationGain = 0.2;  // of it over that at a plausible lag
 constexpr std::size_t mostSamples = 6000;
 
 class Plausibility {
@@ -26,7 +27,7 @@ public:
 
   void all() {
     const double ratio = run_.rateHz * period_;
-    if (std::abs(ratio - 1) > rateWithin)
+    if (std::abs(ratio - 1) > mostRateError)
       warn("run.json", "rate_hz " + shownNumber(run_.rateHz) + " says " + shownNumber(1 / run_.rateHz) +
                            " s a line, t advances by " + shownNumber(period_) + " s; t is used");
     const auto isTruth = [](const auto& column) { return column.first.starts_with("truth."); };
@@ -51,7 +52,7 @@ private:
       const std::string name = "servo." + joint.name + "." + key + " is " + shownNumber(*x);
       if (*x == 0 && nominal > 0)
         warn("run.json", name + ": the motor would do nothing; leave the key out if the value is unknown");
-      else if (nominal > 0 && (*x > farFrom * nominal || *x < nominal / farFrom))
+      else if (nominal > 0 && (*x > mostServoRatio * nominal || *x < nominal / mostServoRatio))
         warn("run.json",
              name + ", " + shownNumber(*x / nominal) + " times that of " + robot_.name + "; check its unit");
     };
@@ -78,10 +79,11 @@ private:
     const auto* const cmd = run_.find(ChannelKind::command, joint.name);
     const auto* const pos = run_.find(ChannelKind::position, joint.name);
     if (!cmd || !pos) return;
-    const auto stride = std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(coarsest / period_)));
+    const auto stride =
+        std::max<std::size_t>(1, static_cast<std::size_t>(std::lround(longestStep / period_)));
     const std::vector<double> a = speeds(*cmd, stride), b = speeds(*pos, stride);
     const double step = period_ * static_cast<double>(stride);
-    const int reach = static_cast<int>(std::min(lookedAt / step, static_cast<double>(a.size()) / 4));
+    const int reach = static_cast<int>(std::min(longestLag / step, static_cast<double>(a.size()) / 4));
     double best = 0, plausible = 0;
     int at = 0;
     for (int lag = -reach; lag <= reach; ++lag) {
@@ -90,7 +92,7 @@ private:
         plausible = std::max(plausible, like);
       if (like > best) best = like, at = lag;
     }
-    if (best < alike || best < plausible + other) return;
+    if (best < leastCorrelation || best < plausible + leastCorrelationGain) return;
     warn("pos." + joint.name, "it moves as cmd." + joint.name + " does " + shownNumber(std::abs(at) * step) +
                                   (at < 0 ? " s later" : " s before") +
                                   "; are both of one clock, and in the right lines?");

@@ -13,11 +13,11 @@
 namespace plumbline::gap {
 namespace {
 
-constexpr double moves = 0.02;         ///< rms of a joint that moves [rad]
-constexpr double beyondLimits = 0.35;  ///< rad; encoders and stops are not better than that in the worst case
+constexpr double leastRms = 0.02;    ///< of a joint that moves [rad]
+constexpr double mostBeyond = 0.35;  ///< the limits [rad]; encoders and stops may be as bad as that
 
-constexpr double followsFrom = 0.05;  ///< command from which on degrees would be far from it [rad]
-constexpr double fallsAt = 3;         ///< times its motor's speed, that a joint that falls reaches
+constexpr double leastCommand = 0.05;  ///< command from which on degrees would be far from it [rad]
+constexpr double mostSpeedRatio = 3;   ///< a joint that falls reaches so many times its motor's speed
 constexpr std::size_t leastPairs = 50;
 constexpr double encoderJump = 0.05;  ///< rad between two samples
 
@@ -171,7 +171,7 @@ private:
         const Extremes e = extremesOf(*column);
         const double over = std::max(e.high - joint.upper, joint.lower - e.low);
         const bool isSlider = joint.type == Mechanism::Joint::Type::prismatic;
-        if (over <= (isSlider ? 0.1 : beyondLimits)) {
+        if (over <= (isSlider ? 0.1 : mostBeyond)) {
           if (over > 0.05)
             warn(name,
                  "it goes " + shownNumber(over) + (isSlider ? " m" : " rad") + " beyond the joint's limits");
@@ -186,7 +186,7 @@ private:
         const double most = std::max(std::abs(e.low), std::abs(e.high));
         const bool degrees =
             !isSlider &&
-            most / toDegrees(1) <= std::max(std::abs(joint.lower), std::abs(joint.upper)) + beyondLimits;
+            most / toDegrees(1) <= std::max(std::abs(joint.lower), std::abs(joint.upper)) + mostBeyond;
         inDegrees += degrees && most > 5;
         wrong.emplace_back(name, "it reaches " + shownNumber(over == e.high - joint.upper ? e.high : e.low) +
                                      ", limits are " + shownNumber(joint.lower) + " to " +
@@ -236,10 +236,10 @@ private:
           *cmd = run_.find(ChannelKind::command, joint.name);
     if (!cmd || joint.type == Mechanism::Joint::Type::prismatic) return false;
     const Extremes command = extremesOf(*cmd);
-    if (command.low < joint.lower - beyondLimits || command.high > joint.upper + beyondLimits) return false;
-    const Following like = followingOf(*cmd, *pos, followsFrom);
+    if (command.low < joint.lower - mostBeyond || command.high > joint.upper + mostBeyond) return false;
+    const Following like = followingOf(*cmd, *pos, leastCommand);
     return like.pairs > leastPairs && 2 * like.distance < like.size &&
-           fastest(run_.t, *pos, encoderJump) < fallsAt * joint.maxSpeed;
+           fastest(run_.t, *pos, encoderJump) < mostSpeedRatio * joint.maxSpeed;
   }
 
   /// Largest distance of the position from a constant command while the motor is on, a hundredth left out.
@@ -282,7 +282,7 @@ private:
 
   /// A command that its joint follows a thousand times as far.
   static bool isThousandth(const Likeness& like, double unit) {
-    return like.rmsB > moves * unit && like.correlation > 0.6 &&
+    return like.rmsB > leastRms * unit && like.correlation > 0.6 &&
            std::abs(like.rmsB / like.rmsA / 1000 - 1) < 0.3;
   }
 
@@ -309,7 +309,7 @@ private:
                             " times as far; was it divided by a thousand?");
       return true;
     }
-    if (like.pairs < 20 || like.rmsA < moves * unit) return true;
+    if (like.pairs < 20 || like.rmsA < leastRms * unit) return true;
     if (position.low == position.high) {
       leaveOut(posName, "it never changes while " + cmdName + " moves by " +
                             shownNumber(command.high - command.low) + "; the sensor is stuck");

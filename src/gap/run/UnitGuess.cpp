@@ -6,6 +6,7 @@
 
 #include "gap/run/ColumnStatistics.h"
 #include "gap/run/ImportUnits.h"
+#include "math/Gravity.h"
 #include "math/Median.h"
 
 namespace plumbline::gap {
@@ -260,7 +261,7 @@ GuessedUnit UnitGuess::acceleration(const Raws& channels) const {
   const std::vector<double> none(channels.front().values->size(), 0.0);
   const auto at = [&](std::size_t i) { return i < channels.size() ? scaled(channels[i]) : none; };
   const double size = medianLength(at(0), at(1), at(2)),
-               gravity = robot_ && robot_->gravity.norm() > 1 ? robot_->gravity.norm() : 9.81;
+               gravity = robot_ && robot_->gravity.norm() > 1 ? robot_->gravity.norm() : earthGravity;
   for (const auto& [unit, one] : {std::pair{"m/s^2", gravity}, std::pair{"g", 1.0}})
     if (size > 0.7 * one && size < 1.35 * one) return {unit, "its median length is " + shownNumber(size)};
   throw UnclearUnit("has a median length of " + shownNumber(size) +

@@ -9,6 +9,7 @@
 #include <stdexcept>
 
 #include "field/FieldFile.h"
+#include "field/TeamSize.h"
 #include "framework/CommandLine.h"
 #include "framework/Loopback.h"
 #include "simspark/NumberFormat.h"
@@ -129,7 +130,8 @@ Options parseOptions(int argc, char** argv) {
            "50 cycles a second, or as fast as it goes [the first without --sync]");
   app.option("--wait-agents", given.waitForAgents,
              "The clock is stopped until this many agents are connected [0 in real time, else 1]")
-      .check(number("a number of agents, 0 to 22", [](double v) { return isWhole(v) && v >= 0 && v <= 22; }));
+      .check(number("a number of agents, 0 to 22",
+                    [](double v) { return isWhole(v) && v >= 0 && v <= 2 * teamSize; }));
   app.option("--sync-timeout", server.agents.syncTimeout,
              "Drop an agent that is silent for this many seconds; 0: never [60]")
       .check(aPatience);

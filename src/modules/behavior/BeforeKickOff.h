@@ -1,4 +1,5 @@
 #pragma once
+#include "field/TeamSize.h"
 #include "framework/Module.h"
 #include "representations/behavior/BeforeKickOffOutput.h"
 #include "representations/behavior/PlayerRole.h"
@@ -21,7 +22,8 @@ MODULE(BeforeKickOff)
       "that knows of no mates")
   PARAMETER(std::vector<double>, y, (std::vector<double>{0, 2, -2, 4, -4, 2, -2, 4, -4, 0, 0}), "m",
             Range(-100, 100), "see x")
-  PARAMETER(std::vector<double>, heading, (std::vector<double>(11, 0.0)), "rad", Range(-6.3, 6.3), "see x")
+  PARAMETER(std::vector<double>, heading, (std::vector<double>(teamSize, 0.0)), "rad", Range(-6.3, 6.3),
+            "see x")
   PARAMETER(std::vector<double>, teamX,
             (std::vector<double>{-14.4, -0.2, -7.5, -0.6, -3.8, -5, -5, -1.2, -1.2, -9, -9}), "m",
             Range(-100, 0), "the same in a team; the second one kicks off")

@@ -14,8 +14,6 @@ MAKE_MODULE(BeliefShare)
 
 namespace {
 
-bool isNumber(int number) { return number >= 1 && number <= 11; }
-
 void addOpponent(TeamBelief& belief, int number, const Vec2& position) {
   SaidOpponent& heard = belief.opponents.emplace_back();
   heard.number = number;
@@ -38,7 +36,7 @@ void BeliefShare::execute() {
   }
   const double now = theFrameInfo->time;
   for (const TeamBelief& belief : theTeamComDataIn->beliefs) {
-    if (!isNumber(belief.number)) continue;
+    if (!isUniformNumber(belief.number)) continue;
     remember(belief, now);
     for (const SaidOpponent& said : belief.opponents) {
       OtherRobot& opponent = opponents_[static_cast<std::size_t>(said.number)];
@@ -50,7 +48,7 @@ void BeliefShare::execute() {
   if (theSayMessage && theSayMessage->time > saidBefore_) {
     saidBefore_ = theSayMessage->time;
     const TeamBelief& said = theSayMessage->said;
-    if (isNumber(said.number)) remember(said, saidBefore_);
+    if (isUniformNumber(said.number)) remember(said, saidBefore_);
     if (!said.opponents.empty()) lastShared_ = said.opponents.back().number;
   }
 }
@@ -110,8 +108,8 @@ void BeliefShare::update(TeamOtherRobots* theTeamOtherRobots) {
 
 void BeliefShare::addOpponents(TeamBelief& belief) const {
   // In turn by number, beginning after the one that was sent last.
-  for (int i = 1; i <= numPlayers && belief.opponents.size() < TeamBelief::maxOpponents; ++i) {
-    const int number = (lastShared_ + i - 1) % numPlayers + 1;
+  for (int i = 1; i <= teamSize && belief.opponents.size() < TeamBelief::maxOpponents; ++i) {
+    const int number = (lastShared_ + i - 1) % teamSize + 1;
     for (const OtherRobot& robot : theLocalOtherRobots->robots)
       if (!robot.mate && robot.number == number && theFrameInfo->time - robot.lastSeen <= seenSeconds)
         addOpponent(belief, number, robot.position);

@@ -1,6 +1,7 @@
 #pragma once
 #include <array>
 
+#include "field/TeamSize.h"
 #include "framework/Module.h"
 #include "representations/behavior/PlayerRole.h"
 #include "representations/communication/TeamBelief.h"
@@ -51,14 +52,13 @@ public:
   void update(TeamComDataOut* theTeamComDataOut) override;
 
 private:
-  static constexpr int numPlayers = 11;
   void remember(const TeamBelief& belief, double time);
   void addOpponents(TeamBelief& belief) const;
 
-  std::array<TeamReport, numPlayers + 1> reports_{};    ///< by number; the own one too
-  std::array<OtherRobot, numPlayers + 1> opponents_{};  ///< by number, from the last message
-  int lastShared_ = 0;                                  ///< number of the opponent that was sent last
-  double saidBefore_ = -1;                              ///< time of the own last words [s]
+  std::array<TeamReport, teamSize + 1> reports_{};    ///< by number; the own one too
+  std::array<OtherRobot, teamSize + 1> opponents_{};  ///< by number, from the last message
+  int lastShared_ = 0;                                ///< number of the opponent that was sent last
+  double saidBefore_ = -1;                            ///< time of the own last words [s]
 };
 
 }  // namespace plumbline

@@ -8,6 +8,7 @@
 #include "representations/modeling/TorsoPose.h"
 #include "representations/perception/BallPercept.h"
 #include "representations/perception/PolarPercepts.h"
+#include "representations/perception/SureView.h"
 
 namespace plumbline {
 
@@ -26,10 +27,11 @@ MODULE(BallLocator)
             "standard deviation of a percept at no distance")
   PARAMETER(double, angleNoise, 0.0026, "rad", Range(1e-6, 1),
             "standard deviation of a percept across the line of sight")
-  PARAMETER(double, stepShare, 0.05, "", Range(0, 1), "error of the odometry, share of the distance walked")
+  PARAMETER(double, stepShare, odometryErrorShare, "", Range(0, 1),
+            "error of the odometry, share of the distance walked")
   PARAMETER(double, touchDistance, 0.4, "m", Range(0, 10), "the robot may touch a ball that is nearer")
   PARAMETER(double, forgetSeconds, 10, "s", Range(0, 1e4), "time after which an unseen ball is lost")
-  PARAMETER(double, viewAngle, 0.9, "rad", Range(0, 1.5),
+  PARAMETER(double, viewAngle, sureViewAngle, "rad", Range(0, 1.5),
             "the ball would be seen within this angle of the axis of the head")
   PARAMETER(int, missedImages, 4, "", Range(1, 10000),
             "number of images without a ball that should be in view after which it is lost")

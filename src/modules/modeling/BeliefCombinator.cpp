@@ -7,14 +7,15 @@
 #include "framework/DrawingSite.h"
 #include "modules/modeling/others/CombineRobots.h"
 #include "modules/modeling/others/RobotDrawing.h"
+#include "tactics/RollingBall.h"
 
 namespace plumbline {
 
 MAKE_MODULE(BeliefCombinator)
 
 void BeliefCombinator::roll(double dt) {
-  const double keep = std::exp(-dt / rollingTimeConstant);
-  position_ += rollingTimeConstant * (1 - keep) * velocity_;
+  const double keep = std::exp(-dt / ballRollingSeconds);
+  position_ += ballRollingSeconds * (1 - keep) * velocity_;
   velocity_ *= keep;
 }
 

@@ -23,8 +23,6 @@ MODULE(BeliefCombinator)
   PARAMETER(double, ownRobotSeconds, 0.3, "s", Range(0, 100), "the same of other robots")
   PARAMETER(double, freshSeconds, 0.1, "s", Range(0, 100),
             "a ball not seen for longer is kept at its place on the field")
-  PARAMETER(double, rollingTimeConstant, 0.92, "s", Range(0.01, 100),
-            "time constant with which the speed of a rolling ball dies away")
 END_MODULE
 
 /// The ball to act on: what this robot tracks, placed on the field. A ball that has not been seen for a while

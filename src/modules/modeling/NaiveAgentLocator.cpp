@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/TeamSize.h"
 #include "framework/DrawingSite.h"
 #include "modules/modeling/others/RobotDrawing.h"
 
@@ -11,12 +12,11 @@ namespace plumbline {
 MAKE_MODULE(NaiveAgentLocator)
 
 namespace {
-constexpr int maxNumber = 11;
 constexpr double sameRobot = 1.0;  ///< how far a sight without a number may be from a track [m]
 }  // namespace
 
 RobotTrack* NaiveAgentLocator::trackOf(bool mate, int number, const Vec2& position) {
-  if (number < 1 || number > maxNumber) {
+  if (!isUniformNumber(number)) {
     RobotTrack* nearest = nullptr;
     double best = sameRobot;
     for (RobotTrack& track : tracks_) {

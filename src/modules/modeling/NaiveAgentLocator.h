@@ -11,6 +11,7 @@
 #include "representations/modeling/RobotPose.h"
 #include "representations/modeling/TorsoPose.h"
 #include "representations/perception/PolarPercepts.h"
+#include "representations/perception/SureView.h"
 
 namespace plumbline {
 
@@ -28,7 +29,7 @@ MODULE(NaiveAgentLocator)
   PARAMETER(double, headingNoise, 0.02, "rad", Range(0, 1),
             "error of the own heading, by which far robots are misplaced")
   PARAMETER(double, forgetSeconds, 12, "s", Range(0.1, 1e4), "a robot unseen for longer is forgotten")
-  PARAMETER(double, viewAngle, 0.9, "rad", Range(0, 1.5),
+  PARAMETER(double, viewAngle, sureViewAngle, "rad", Range(0, 1.5),
             "a robot would be seen within this angle of the axis of the head")
   PARAMETER(double, coverAngle, 0.15, "rad", Range(0, 1),
             "a nearer robot that is closer to the same direction may hide it")

@@ -4,6 +4,7 @@
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/OppInfo.h"
 #include "representations/modeling/OtherRobots.h"
+#include "robot/ExpectedRobot.h"
 
 namespace plumbline {
 
@@ -12,11 +13,12 @@ MODULE(OppAnalyzer)
   REQUIRES(BallPos)
   REQUIRES(OtherRobots)
   PROVIDES(OppInfo)
-  PARAMETER(double, expectedSpeed, 0.8, "m/s", Range(0.05, 3), "walk of opponents of whom nothing was seen")
+  PARAMETER(double, expectedSpeed, expectedWalkSpeed, "m/s", Range(0.05, 3),
+            "walk of opponents of whom nothing was seen")
   PARAMETER(double, expectedSeconds, 20, "s", Range(0.1, 1e4), "of walking that this expectation counts for")
   PARAMETER(double, walks, 0.3, "m/s", Range(0, 3), "a slower opponent does not walk to a place")
   PARAMETER(double, seenSeconds, 0.3, "s", Range(0.01, 10), "speeds count of opponents seen within this time")
-  PARAMETER(double, getUp, 4, "s", Range(0, 60), "of a fallen opponent")
+  PARAMETER(double, getUp, expectedGetUpSeconds, "s", Range(0, 60), "of a fallen opponent")
   PARAMETER(double, reach, 0.4, "m", Range(0.05, 2), "a robot this near to the ball may have kicked it")
   PARAMETER(double, kickSpeed, 1.5, "m/s", Range(0.1, 20), "a ball that is faster was kicked")
 END_MODULE

@@ -16,9 +16,6 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t maxBytes = 1 << 20;
-constexpr std::size_t maxKeyframes = 1000;
-
 std::string revisionOf(const std::string& text) {
   Fingerprint print;
   for (const char c : text) print.add(static_cast<unsigned char>(c));
@@ -29,7 +26,9 @@ std::string revisionOf(const std::string& text) {
 void checkNumbers(const std::vector<motion::KeyframeDraft>& keyframes, const std::string& path,
                   const RobotModel& robot) {
   if (keyframes.empty()) throw motion::KeyframeFileError(path + ": a motion has one keyframe at least");
-  if (keyframes.size() > maxKeyframes) throw motion::KeyframeFileError(path + ": more than 1000 keyframes");
+  if (keyframes.size() > motion::maxKeyframes)
+    throw motion::KeyframeFileError(path + ": more than " + std::to_string(motion::maxKeyframes) +
+                                    " keyframes");
   for (std::size_t i = 0; i < keyframes.size(); ++i) {
     const std::string which = path + ": keyframe " + std::to_string(i + 1) + ": ";
     if (!(keyframes[i].seconds >= 0)) throw motion::KeyframeFileError(which + "the time is negative");
@@ -46,7 +45,7 @@ void checkNumbers(const std::vector<motion::KeyframeDraft>& keyframes, const std
 
 std::string MotionFile::text() const {
   try {
-    return readFile(file_, maxBytes);
+    return readFile(file_, motion::maxKeyframeFileBytes);
   } catch (const FileProblem& problem) {
     throw std::runtime_error(file_.string() + ": " + problem.what());
   }

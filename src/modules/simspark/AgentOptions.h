@@ -3,6 +3,8 @@
 #include <string>
 #include <vector>
 
+#include "simspark/Ports.h"
+
 namespace plumbline {
 
 /// What the command line of the SimSpark agent says; a module reaches it through object<AgentOptions>().
@@ -12,8 +14,8 @@ struct AgentOptions {
   std::string token;  ///< token of a server that is open to other machines; empty: none
   int type = 0;       ///< robot type, 0 to numSimsparkTypes() - 1
   std::string host = "127.0.0.1";
-  int port = 3100;              ///< agent port
-  int monitorPort = 3200;       ///< trainer commands go there
+  int port = simspark::standardAgentPort;           ///< agent port
+  int monitorPort = simspark::standardMonitorPort;  ///< trainer commands go there
   bool startSimulator = false;  ///< start a simulator of its own on free ports instead of connecting to host
   std::vector<std::string> simulatorOptions;  ///< passed to that simulator
   /// Called with a line that says what the agent waits for; may be empty.

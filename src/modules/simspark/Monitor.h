@@ -5,6 +5,7 @@
 #include "math/Pose2.h"
 #include "math/Types.h"
 #include "simspark/Connection.h"
+#include "simspark/Ports.h"
 #include "simspark/TrainerCommand.h"
 
 namespace plumbline {
@@ -35,7 +36,7 @@ private:
   bool sendText(const std::string& text);
 
   std::string host_ = "127.0.0.1";
-  int port_ = 3200;
+  int port_ = simspark::standardMonitorPort;
   simspark::Connection connection_;
   std::string token_, error_;
 };

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "field/FieldSize.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
 
@@ -12,13 +13,13 @@ MAKE_MODULE(OptimizeKick)
 
 namespace {
 
-constexpr double radius = 0.042;   ///< of the ball [m]
-constexpr double sameBall = 0.03;  ///< a ball this near to where it was put has come there [m]
-constexpr double patience = 3;     ///< with a command, then it is given again [s]
-constexpr double mostBlind = 5;    ///< without ground truth [s]
-constexpr double atRest = 0.01;    ///< way in half a second of a ball that rests [m]
-constexpr double upright = 30 * pi / 180;
-constexpr double standing = 0.3;  ///< lean of a robot that stands [rad]
+constexpr double radius = FieldSize().ballRadius;  ///< of the ball [m]
+constexpr double sameBall = 0.03;                ///< a ball this near to where it was put has come there [m]
+constexpr double patience = 3;                   ///< with a command, then it is given again [s]
+constexpr double mostBlind = 5;                  ///< without ground truth [s]
+constexpr double mostRoll = 0.01;                ///< way in half a second of a ball that rests [m]
+constexpr double mostTiltAfter = 30 * pi / 180;  ///< of a robot that stands after the kick [rad]
+constexpr double mostTiltBefore = 0.3;           ///< of one that stands before it [rad]
 /// Nothing stands in the way of a ball that is kicked forward from here; the ball waits elsewhere [m].
 const Pose2 place(Vec2(-10, 5), 0);
 const Vec2 aside(-10, -5);
@@ -75,7 +76,7 @@ void OptimizeKick::placeBall() {
 void OptimizeKick::stand() {
   const bool there = (groundPose(theGroundTruth->T_field_torso).position - place.position).norm() < 0.5;
   const bool free = theMotionSelection && theMotionSelection->motion == Motion::stand;
-  if (!there || !free || theFallState->lying() || tilt() > standing) {
+  if (!there || !free || theFallState->lying() || tilt() > mostTiltBefore) {
     if (seconds_ > patience && !theFallState->lying()) placeRobot();
     return;
   }
@@ -94,7 +95,7 @@ void OptimizeKick::kick() {
 void OptimizeKick::walk() {
   try_.error += tilt();
   if (seconds_ < walkSeconds) return;
-  result_.up = tilt() < upright;
+  result_.up = tilt() < mostTiltAfter;
   last_ = theGroundTruth->ball.head<2>();
   enter(Phase::rolling);
 }
@@ -106,7 +107,7 @@ void OptimizeKick::roll() {
     const double way = (now - last_).norm();
     last_ = now;
     lastAt_ = seconds_;
-    if (way > atRest) return;
+    if (way > mostRoll) return;
   }
   try_.way = Eigen::Rotation2Dd(-from_.heading) * (now - ball_);
   const OptimizationTrial& trial = *theOptimizationTrial;

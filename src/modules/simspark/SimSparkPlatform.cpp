@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "field/TeamSize.h"
 #include "framework/ConfigurationError.h"
 #include "robot/RobotModel.h"
 #include "robot/RobotTypes.h"
@@ -16,7 +17,7 @@ void SimSparkPlatform::declareOptions(CommandLine& app) {
   AgentOptions& agent = *options_;
   app.option("--team", agent.team, "team name").showDefault();
   app.option("--number", agent.number, "uniform number 1..11, 0: the next free one")
-      .range(0, 11)
+      .range(0, teamSize)
       .showDefault();
   app.option("--type", agent.type, "robot type: N of config/robots/simspark_typeN.json")
       .range(0, maxSimsparkTypes - 1)

@@ -1,5 +1,6 @@
 #pragma once
 #include "framework/Representation.h"
+#include "math/Gravity.h"
 #include "math/Types.h"
 
 namespace plumbline {
@@ -20,8 +21,8 @@ struct FootForceData : public Streamable {
 REPRESENTATION(SensorData)
 class SensorData : public SensorDataBase {
 public:
-  Vec3 gyro = Vec3::Zero();     ///< [rad/s]
-  Vec3 acc = Vec3(0, 0, 9.81);  ///< specific force [m/s^2]; one cycle late in SimSpark
+  Vec3 gyro = Vec3::Zero();             ///< [rad/s]
+  Vec3 acc = Vec3(0, 0, earthGravity);  ///< specific force [m/s^2]; one cycle late in SimSpark
   FootForceData leftFoot, rightFoot, leftToe, rightToe;
   void stream(InStream* in, OutStream* out) override {
     STREAM(gyro);

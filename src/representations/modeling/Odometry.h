@@ -4,6 +4,9 @@
 
 namespace plumbline {
 
+/// Standard deviation of the odometry, share of the distance walked.
+inline constexpr double odometryErrorShare = 0.05;
+
 /// Motion of the robot's ground frame since the last cycle, and its sum since the start.
 REPRESENTATION(Odometry)
 class Odometry : public OdometryBase {

@@ -1,5 +1,6 @@
 #pragma once
 #include "framework/Representation.h"
+#include "robot/ExpectedRobot.h"
 
 namespace plumbline {
 
@@ -7,7 +8,7 @@ namespace plumbline {
 REPRESENTATION(OppInfo)
 class OppInfo : public OppInfoBase {
 public:
-  double walkSpeed = 0.8;   ///< mean of those that walk [m/s]
+  double walkSpeed = expectedWalkSpeed;  ///< mean of those that walk [m/s]
   double timeToBall = 1e3;  ///< of the first one that stands or gets up [s]; large: none is known
   int nearest = 0;          ///< its number; 0: not known
   double kickDistance = 0;  ///< of their farthest kick [m]; 0: none was seen

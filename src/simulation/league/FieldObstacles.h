@@ -8,7 +8,6 @@
 namespace plumbline::simulation {
 
 constexpr double ballMass = 0.026;  ///< of the league's ball [kg]
-constexpr double gravity = 9.81;    ///< of the league's server [m/s^2]
 
 /// A shape that stands on the field and never moves.
 struct FieldObstacle {

@@ -2,6 +2,7 @@
 
 #include <optional>
 
+#include "math/Gravity.h"
 #include "simulation/effects/BodyEffects.h"
 #include "simulation/effects/GroundEffects.h"
 #include "simulation/league/FieldObstacles.h"
@@ -39,7 +40,7 @@ ContactSurface mix(const Wishes& a, const Wishes& b, const PhysicsConfig& config
 PhysicsConfig leaguePhysics(const WorldConfig& config) {
   PhysicsConfig physics;
   physics.stepSeconds = config.stepSeconds;
-  physics.gravity = {0, 0, -gravity};
+  physics.gravity = {0, 0, -earthGravity};
   physics.constraintErp = config.numbers.jointErp;
   physics.constraintCfm = config.numbers.jointCfm;
   physics.surfaceLayer = 0.001;

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <vector>
 
+#include "math/Gravity.h"
 #include "math/Types.h"
 #include "robot/RobotModel.h"
 #include "simulation/physics/BodyState.h"
@@ -27,7 +28,7 @@ struct ContactSurface {
 /// Settings of a whole physics world.
 struct PhysicsConfig {
   double stepSeconds = 0.02;
-  Vec3 gravity{0, 0, -9.81};
+  Vec3 gravity{0, 0, -earthGravity};
   double constraintErp = 0.2;
   double constraintCfm = 1e-5;
   double surfaceLayer = 0.001;  ///< depth bodies may sink into each other without a push [m]

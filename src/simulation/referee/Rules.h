@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "field/TeamSize.h"
 #include "parameters/Parameter.h"
 #include "simulation/referee/RuleRegistry.h"
 
@@ -71,7 +72,7 @@ struct Rules {
   struct IllegalDefence {
     PARAMETERS(IllegalDefence)
     PARAMETER(bool, on, true, "", {}, "whether it is a foul")
-    PARAMETER(int, maxInOwnArea, 3, "", Range(0, 11), "players of a team in their penalty area")
+    PARAMETER(int, maxInOwnArea, 3, "", Range(0, teamSize), "players of a team in their penalty area")
     PARAMETER(bool, putOutside, false, "", {}, "of the field, instead of the area")
     bool operator==(const IllegalDefence&) const = default;
   };
@@ -92,9 +93,9 @@ struct Rules {
   struct Types {
     PARAMETERS(Types)
     PARAMETER(bool, on, true, "", {}, "whether a team must have robots of several types")
-    PARAMETER(int, maxOfOne, 7, "", Range(0, 11), "robots of one type")
+    PARAMETER(int, maxOfOne, 7, "", Range(0, teamSize), "robots of one type")
     PARAMETER(int, minDifferent, 3, "", Range(1, 5), "types in a full team")
-    PARAMETER(int, maxOfTwo, 9, "", Range(0, 11), "of any two types together")
+    PARAMETER(int, maxOfTwo, 9, "", Range(0, teamSize), "of any two types together")
     bool operator==(const Types&) const = default;
   };
   PARAMETER_GROUP(Types, types, "robots of a team")

@@ -1,6 +1,6 @@
 #include "simulation/replay/Placement.h"
 
-#include "simulation/league/FieldObstacles.h"
+#include "math/Gravity.h"
 
 namespace plumbline::simulation {
 
@@ -25,7 +25,7 @@ Mat3 turnInStep(const TraceRow& row) {
 }  // namespace
 
 Vec3 addedVelocity(const LeagueTrace& trace, std::size_t row) {
-  return traceStep * (trace.rows[row].torso.linear() * trace.rows[row + 1].acc - Vec3(0, 0, gravity));
+  return traceStep * (trace.rows[row].torso.linear() * trace.rows[row + 1].acc - Vec3(0, 0, earthGravity));
 }
 
 bool isPlaced(const LeagueTrace& trace, std::size_t row) {
@@ -41,7 +41,7 @@ bool isPlaced(const LeagueTrace& trace, std::size_t row) {
   if (comesFrom(velocity)) return false;
   // If the robot is placed in the next step, the accelerometer shows there already how it lost its speed.
   const TraceRow& next = trace.rows[row + 1];
-  const Vec3 lost = traceStep * (next.torso.linear() * next.acc - Vec3(0, 0, gravity));
+  const Vec3 lost = traceStep * (next.torso.linear() * next.acc - Vec3(0, 0, earthGravity));
   if (velocity.norm() > sameSpeed && (velocity + lost).norm() < sameSpeed) return false;
   // Right after a placement the rows before show no velocity; it began at rest.
   return !isPlaced(trace, row - 1) || !comesFrom(addedVelocity(trace, row - 1));

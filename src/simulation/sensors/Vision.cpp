@@ -96,7 +96,7 @@ bool clipToView(Vec3& a, Vec3& b) {
   return true;
 }
 
-Vision::Vision(const VisionNoise& noise, RandomStream& random) : noise_(noise), random_(random) {
+Vision::Vision(const CameraError& noise, RandomStream& random) : noise_(noise), random_(random) {
   for (int i = 0; i < 3; ++i) offset_[i] = random_.uniform(-noise_.offset, noise_.offset);
 }
 

@@ -11,13 +11,13 @@
 namespace plumbline::simulation {
 
 /// Measurement error of the league's camera (restrictedvisionperceptor).
-struct VisionNoise {
+struct CameraError {
   double distancePercent = 0.0965;                   ///< standard deviation [% of the distance]
   double azimuth = 0.1480 * 0.017453292519943295;    ///< [rad]
   double elevation = 0.1225 * 0.017453292519943295;  ///< [rad]
   double offset =
       0.005;  ///< the same error of position in every image of a connection: at most, per axis [m]
-  static VisionNoise none() { return {0, 0, 0, 0}; }
+  static CameraError none() { return {0, 0, 0, 0}; }
 };
 
 /// What can be seen, in the world frame.
@@ -40,7 +40,7 @@ struct VisibleWorld {
 /// and down. It sees nothing nearer than 0.1 m, and sees through everything, also its own arms.
 class Vision {
 public:
-  explicit Vision(const VisionNoise& noise, RandomStream& random);
+  explicit Vision(const CameraError& noise, RandomStream& random);
 
   simspark::See see(const Pose3& T_world_head, const VisibleWorld& world);
 
@@ -48,7 +48,7 @@ private:
   bool look(const Vec3& world, const Pose3& T_head_world, simspark::Polar& seen);
   void addNoise(simspark::Polar& polar);
 
-  VisionNoise noise_;
+  CameraError noise_;
   RandomStream& random_;
   Vec3 offset_ = Vec3::Zero();  ///< constant error in the head frame [m]
 };

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "simspark/AgentCommand.h"
+#include "simspark/Ports.h"
 #include "simulation/Simulation.h"
 #include "simulation/server/Admission.h"
 #include "simulation/server/LimitedLog.h"
@@ -21,7 +22,7 @@ class AgentPort {
 public:
   struct Config {
     std::string address = "127.0.0.1";
-    int port = 3100;
+    int port = simspark::standardAgentPort;
     bool sync = false;                    ///< wait for (syn) of every agent
     double syncTimeout = 60;              ///< give up on a silent agent after so many seconds; 0: never
     double halfTimeout = 10;              ///< the same on half a message

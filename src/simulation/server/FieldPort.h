@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "simspark/Ports.h"
 #include "simulation/Simulation.h"
 #include "simulation/server/AgentPort.h"
 #include "simulation/server/Sockets.h"
@@ -16,7 +17,7 @@ class FieldPort {
 public:
   struct Config {
     std::string address = "127.0.0.1";
-    int port = 3201;
+    int port = simspark::standardFieldPort;
     std::string token{};  ///< if not empty, the first message must be (token TOKEN)
   };
 

@@ -5,6 +5,7 @@
 #include <utility>
 #include <vector>
 
+#include "simspark/Ports.h"
 #include "simspark/TrainerCommand.h"
 #include "simulation/Simulation.h"
 #include "simulation/monitor/MonitorScene.h"
@@ -25,7 +26,7 @@ class MonitorPort {
 public:
   struct Config {
     std::string address = "127.0.0.1";
-    int port = 3200;
+    int port = simspark::standardMonitorPort;
     int interval = 2;                     ///< cycles between two messages
     std::string token;                    ///< if not empty, the first message must be (token TOKEN)
     double halfTimeout = 10;              ///< give up on half a message after so many seconds

@@ -15,7 +15,7 @@ constexpr double turnBefore = 0.1;  ///< the last turn takes this much longer th
 constexpr double nearPlace = 0.12;  ///< here the robot has its last heading [m]
 constexpr double leastWalk = 0.2;   ///< share of the speed that remains in the fastest turn
 constexpr double atPlace = 0.03, atHeading = 0.15, atRest = 0.2;  ///< the way is over [m, rad, m/s]
-constexpr double besideBall = 0.16;  ///< the feet may touch a ball that is so near [m]
+constexpr double touchDistance = 0.16;  ///< the feet may touch a ball that is so near [m]
 
 const Vec2 farAway(1e3, 0);  ///< a ball that is in nobody's way [m]
 
@@ -65,11 +65,11 @@ Vec3 Way::request(const WalkPoint& robot) const {
   const Vec2 along(std::cos(direction - robot.pose.heading), std::sin(direction - robot.pose.heading));
   const double fastest = 1 / std::hypot(along.x() / (along.x() >= 0 ? limits.forward : limits.backward),
                                         along.y() / limits.sideways);
-  const double besideTurn = std::sqrt(std::max(leastWalk * leastWalk, 1 - std::pow(turn / limits.turn, 2)));
+  const double walkShare = std::sqrt(std::max(leastWalk * leastWalk, 1 - std::pow(turn / limits.turn, 2)));
   const double deceleration = p.brakeShare / std::hypot(along.x() / limits.decelerationForward,
                                                         along.y() / limits.accelerationSideways);
   const double speed =
-      std::min(p.speedShare * besideTurn * fastest, brakingSpeed(path.length, deceleration, p.brakeTime));
+      std::min(p.speedShare * walkShare * fastest, brakingSpeed(path.length, deceleration, p.brakeTime));
   return {speed * along.x(), speed * along.y(), turn};
 }
 
@@ -86,7 +86,7 @@ double Way::seconds(WalkPoint robot, double most) const {
     if (over(robot)) return cost;
     robot = walked(robot, request(robot), limits, modelStep);
     cost += modelStep;
-    if ((robot.pose.position - ball).norm() < besideBall) cost += p.ballCost * modelStep;
+    if ((robot.pose.position - ball).norm() < touchDistance) cost += p.ballCost * modelStep;
   }
   return most;
 }

@@ -1,5 +1,6 @@
 #include "walking/engine/LegLoad.h"
 
+#include "math/Gravity.h"
 #include "walking/model/WalkState.h"
 
 namespace plumbline::walking {
@@ -12,7 +13,6 @@ LegLoad::LegLoad(const RobotModel& robot)
 
 const JointArray& LegLoad::update(const JointArray& angles, const Vec2& torsoAngles,
                                   const std::array<double, 2>& share, const Vec2& pressure) {
-  constexpr double gravity = 9.81;
   kinematics_.update(angles);
   // The vertical in the torso's frame.
   const Vec3 up = (rotationY(torsoAngles.y()) * rotationX(torsoAngles.x())).linear().transpose().col(2);
@@ -21,7 +21,7 @@ const JointArray& LegLoad::update(const JointArray& angles, const Vec2& torsoAng
   const std::size_t count = robot_.links.size();
   for (std::size_t i = 0; i < count; ++i) {
     const Vec3 place = kinematics_.link(static_cast<int>(i)) * robot_.links[i].com;
-    force[i] = -robot_.links[i].mass * gravity * up;
+    force[i] = -robot_.links[i].mass * earthGravity * up;
     moment[i] = place.cross(force[i]);
   }
   for (const Side side : {Side::left, Side::right}) {
@@ -33,7 +33,7 @@ const JointArray& LegLoad::update(const JointArray& angles, const Vec2& torsoAng
     const Vec3 toMass = kinematics_.com() - point;
     const double height = toMass.dot(up);
     if (!(height > 0.05)) continue;
-    const Vec3 push = share[index(side)] * mass_ * gravity / height * toMass;
+    const Vec3 push = share[index(side)] * mass_ * earthGravity / height * toMass;
     force[foot] += push;
     moment[foot] += point.cross(push);
   }

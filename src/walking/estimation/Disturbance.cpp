@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/Gravity.h"
+
 namespace plumbline::walking {
 namespace {
 
@@ -15,7 +17,7 @@ Vec2 carrying(const WalkState& s) {
 
 void Disturbance::update(const WalkState& planned, const WalkState& observed, double phase, double height,
                          const WalkParameters& p, double dt) {
-  const double rate = std::sqrt(9.81 / height);
+  const double rate = std::sqrt(earthGravity / height);
   now_ = {carrying(observed) - carrying(planned), observed.velocity - planned.velocity};
   if (p.observation.biasWindow > 0) {
     const auto part = static_cast<std::size_t>(std::clamp(phase, 0.0, 0.999) * parts);

@@ -3,12 +3,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/Gravity.h"
+
 namespace plumbline::walking {
 namespace {
 
 double rate(double height) {
-  constexpr double gravity = 9.81, lowest = 0.02;
-  return std::sqrt(gravity / std::max(lowest, height));
+  constexpr double lowest = 0.02;
+  return std::sqrt(earthGravity / std::max(lowest, height));
 }
 
 }  // namespace

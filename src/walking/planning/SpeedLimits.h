@@ -36,7 +36,7 @@ inline Vec3 fullLimits(double forward, const WalkParameters& p) {
 }
 
 /// How much of a speed is off an axis, as a share of the limits.
-inline double besideAxis(const Vec3& speed, const Vec3& limits, int axis) {
+inline double shareOffAxis(const Vec3& speed, const Vec3& limits, int axis) {
   Vec3 others = speed.cwiseQuotient(limits);
   others[axis] = 0;
   return others.norm();

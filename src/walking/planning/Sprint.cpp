@@ -14,7 +14,7 @@ int sprintAxis(const Vec3& wish, const WalkParameters& p) {
   for (int i = 0; i < 3; ++i) {
     if (std::abs(wish[i]) < nearlyFull * most[i] || omni[i] >= most[i]) continue;
     const Vec3 scaled = wish / std::max(1.0, std::abs(wish[i]) / most[i]);
-    if (besideAxis(scaled, omni, i) <= straight) return i;
+    if (shareOffAxis(scaled, omni, i) <= straight) return i;
   }
   return -1;
 }
@@ -56,8 +56,8 @@ Vec3 Sprint::slower(const Vec3& wish, const Vec3& now, const WalkParameters& p, 
   const double sign = could >= 0 && wish[could] > 0 ? 1 : -1;
   SprintConditions conditions;
   conditions.asked = could >= 0 && patience_ >= p.sprint.patience;
-  conditions.ready =
-      could >= 0 && sign * now[could] >= nearlyFull * omni[could] && besideAxis(now, omni, could) <= straight;
+  conditions.ready = could >= 0 && sign * now[could] >= nearlyFull * omni[could] &&
+                     shareOffAxis(now, omni, could) <= straight;
   state_ = nextSprintState(state_, conditions);
   if (state_ == SprintState::running) {
     axis_ = could;
@@ -78,7 +78,7 @@ Vec3 Sprint::along(const Vec3& wish, const Vec3& now, const WalkParameters& p, d
   Vec3 go = wish / std::max(1.0, std::abs(wish[axis_] / full_));
   SprintConditions conditions;
   conditions.asked =
-      !(sign * wish[axis_] < nearlyFull * std::abs(full_) || besideAxis(go, omni, axis_) > straight);
+      !(sign * wish[axis_] < nearlyFull * std::abs(full_) || shareOffAxis(go, omni, axis_) > straight);
   conditions.slow = sign * now[axis_] <= omni[axis_];
   conditions.settled = settled_ >= p.sprint.settleTime - 1e-9;
   for (SprintState before = SprintState::none; before != state_ && state_ != SprintState::none;) {

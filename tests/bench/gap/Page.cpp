@@ -92,7 +92,7 @@ std::string severity(const BenchResult& r) {
   return text;
 }
 
-std::string besideOthers(const BenchResult& r) {
+std::string comparisonSection(const BenchResult& r) {
   if (r.ways.size() < 2) return "";
   std::string text =
       "\n## Comparison with simpler methods\n\nOn the same " + std::to_string(r.ways.front().score.cases) +
@@ -173,7 +173,7 @@ std::string head(const std::vector<std::string>& cells) {
 
 std::string pageBody(const BenchResult& r) {
   return introduction(r) + figures(r) + severity(r) + effectsSection(r) + calibrationSection(r) +
-         besideOthers(r) + casesSection(r) + limits;
+         comparisonSection(r) + casesSection(r) + limits;
 }
 
 }  // namespace plumbline::bench

@@ -31,9 +31,9 @@ public:
   }
   void write(const std::filesystem::path& path) const {
     std::filesystem::create_directories(path.parent_path());
-    const std::filesystem::path beside = path.string() + ".part";
-    std::ofstream(beside) << lines_ << "\n]\n";
-    std::filesystem::rename(beside, path);
+    const std::filesystem::path unfinished = path.string() + ".part";
+    std::ofstream(unfinished) << lines_ << "\n]\n";
+    std::filesystem::rename(unfinished, path);
   }
 
 private:

@@ -48,9 +48,9 @@ TEST_F(SetPiecesTest, placesFromTheBallGoAheadAndIntoTheField) {
 }
 
 TEST_F(SetPiecesTest, placesTowardsTheOwnGoalLieOnTheLineToItsMiddle) {
-  const SetPiecePlace wall{SetPiecePlace::Frame::ownGoal, 2, 0}, beside{SetPiecePlace::Frame::ownGoal, 2, 1};
+  const SetPiecePlace wall{SetPiecePlace::Frame::ownGoal, 2, 0}, second{SetPiecePlace::Frame::ownGoal, 2, 1};
   EXPECT_TRUE(wall.at({0, 0}, 15, false).isApprox(Vec2(-2, 0)));
-  EXPECT_TRUE(beside.at({0, 0}, 15, false).isApprox(Vec2(-2, -1))) << "left of the way to the goal";
+  EXPECT_TRUE(second.at({0, 0}, 15, false).isApprox(Vec2(-2, -1))) << "left of the way to the goal";
   const Vec2 ball(-11, 3);  // a triangle of 3, 4 and 5
   EXPECT_TRUE(wall.at(ball, 15, false).isApprox(ball + Vec2(-1.6, -1.2)));
   EXPECT_TRUE(wall.at({-11, -3}, 15, true).isApprox(Vec2(-12.6, -1.8)));

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include "field/TeamSize.h"
+
 namespace plumbline {
 
 std::string roleText(int role) {
@@ -25,7 +27,7 @@ void drawRole(Drawing& drawing, const Vec2& player, int number, int role, const 
 
 void drawPlan(Drawing& drawing, const std::vector<TeamMember>& team, const std::vector<int>& roles,
               const Vec2& ball, const std::vector<Vec2>& places) {
-  constexpr std::size_t most = 11;
+  constexpr std::size_t most = teamSize;
   for (std::size_t i = 0; i < team.size() && i < roles.size() && i < most; ++i)
     drawRole(drawing, team[i].pose.position, team[i].number, roles[i], ball, places,
              roles[i] == PlayerRole::striker ? colours::orange : colours::blue);

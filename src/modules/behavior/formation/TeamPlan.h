@@ -1,6 +1,7 @@
 #pragma once
 #include <vector>
 
+#include "field/TeamSize.h"
 #include "math/Pose2.h"
 #include "modules/behavior/formation/FormationTable.h"
 #include "modules/behavior/formation/TimeToBall.h"
@@ -25,7 +26,7 @@ struct TeamPlan {
 
 struct TeamPlanParameters {
   PARAMETERS(TeamPlanParameters)
-  PARAMETER(int, goalieNumber, 1, "", Range(0, 11), "number of the goalie; 0: none")
+  PARAMETER(int, goalieNumber, 1, "", Range(0, teamSize), "number of the goalie; 0: none")
   PARAMETER(double, strikerHysteresis, 0.8, "s", Range(0, 10),
             "another one must be at the ball sooner by this to become the striker")
   PARAMETER(double, goalieWaits, 0.5, "s", Range(0, 10),

@@ -2,11 +2,13 @@
 #include <string>
 #include <vector>
 
+#include "field/FieldSize.h"
 #include "math/Pose2.h"
 #include "modules/behavior/formation/TimeToBall.h"
 #include "parameters/Parameter.h"
 #include "representations/behavior/TeamPlaces.h"
 #include "representations/modeling/OtherRobots.h"
+#include "robot/ExpectedRobot.h"
 #include "robot/KickEffect.h"
 #include "tactics/FieldValue.h"
 
@@ -57,11 +59,13 @@ struct StrikerSituation {
   Pose2 robot;
   Vec2 ball = Vec2::Zero();
   std::vector<KickEffect> kicks;
-  double halfLength = 15, halfWidth = 10, goalHalfWidth = 1.05, goalHeight = 0.8, ballRadius = 0.042;
+  double halfLength = FieldSize().length / 2, halfWidth = FieldSize().width / 2;
+  double goalHalfWidth = FieldSize().goalWidth / 2, goalHeight = FieldSize().goalHeight;
+  double ballRadius = FieldSize().ballRadius;
   std::vector<OtherRobot> others;
-  TeamPlaces places;           ///< where mates look and go
-  double freeSeconds = 0;      ///< time in which opponents must stay away from the ball [s]
-  double opponentSpeed = 0.8;  ///< of opponents on their way to the ball [m/s]
+  TeamPlaces places;                         ///< where mates look and go
+  double freeSeconds = 0;                    ///< time in which opponents must stay away from the ball [s]
+  double opponentSpeed = expectedWalkSpeed;  ///< of opponents on their way to the ball [m/s]
   Vec2 goal() const { return {halfLength, 0}; }
 };
 

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 
+#include "field/TeamSize.h"
 #include "modules/communication/code/SayAlphabet.h"
 #include "representations/behavior/PlayerRole.h"
 
@@ -11,7 +12,6 @@ namespace plumbline {
 namespace {
 
 constexpr int checkBits = 16, numberBits = 4, roleBits = 4;
-constexpr int maxNumber = 11;
 constexpr int xBits = 9, yBits = 8, headingBits = 5;
 constexpr int ballXBits = 9, ballYBits = 9, speedBits = 4;
 constexpr double maxSpeed = 8;  ///< [m/s]
@@ -75,7 +75,7 @@ void readBall(SayBits& bits, TeamBelief& belief) {
 std::string encodeBelief(const TeamBelief& belief, std::string_view team, std::int64_t slot) {
   SayBits bits;
   bits.write(0, checkBits);
-  bits.write(static_cast<std::uint32_t>(std::clamp(belief.number, 0, maxNumber)), numberBits);
+  bits.write(static_cast<std::uint32_t>(std::clamp(belief.number, 0, teamSize)), numberBits);
   writePoint(bits, belief.pose.position, xBits, yBits);
   bits.write(quantise(normalizeAngle(belief.pose.heading), -pi, pi, headingBits), headingBits);
   bits.write(belief.localised ? 1 : 0, 1);
@@ -85,7 +85,7 @@ std::string encodeBelief(const TeamBelief& belief, std::string_view team, std::i
   writeBall(bits, belief);
   for (std::size_t i = 0; i < TeamBelief::maxOpponents; ++i) {
     const bool known = i < belief.opponents.size();
-    bits.write(known ? static_cast<std::uint32_t>(std::clamp(belief.opponents[i].number, 0, maxNumber)) : 0,
+    bits.write(known ? static_cast<std::uint32_t>(std::clamp(belief.opponents[i].number, 0, teamSize)) : 0,
                numberBits);
     writePoint(bits, known ? belief.opponents[i].position : Vec2(Vec2::Zero()), farXBits, farYBits);
   }
@@ -100,7 +100,7 @@ std::optional<TeamBelief> decodeBelief(std::string_view text, std::string_view t
   if (!bits || bits->read(checkBits) != checksum(*bits, team, slot)) return std::nullopt;
   TeamBelief belief;
   belief.number = static_cast<int>(bits->read(numberBits));
-  if (belief.number < 1 || belief.number > maxNumber) return std::nullopt;
+  if (!isUniformNumber(belief.number)) return std::nullopt;
   belief.pose.position = readPoint(*bits, xBits, yBits);
   belief.pose.heading = unquantise(bits->read(headingBits), -pi, pi, headingBits);
   belief.localised = bits->read(1) != 0;
@@ -112,7 +112,7 @@ std::optional<TeamBelief> decodeBelief(std::string_view text, std::string_view t
     SaidOpponent opponent;
     opponent.number = static_cast<int>(bits->read(numberBits));
     opponent.position = readPoint(*bits, farXBits, farYBits);
-    if (opponent.number >= 1 && opponent.number <= maxNumber) belief.opponents.push_back(opponent);
+    if (isUniformNumber(opponent.number)) belief.opponents.push_back(opponent);
   }
   return belief;
 }

@@ -3,9 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/Gravity.h"
+
 namespace plumbline {
 namespace {
-constexpr double gravity = 9.81;
 constexpr double firstSettled = 10;  ///< what the first orientation counts like [s]
 constexpr double fastest = 0.5;      ///< time constant of a new estimate [s]
 }  // namespace
@@ -15,7 +16,7 @@ void AttitudeFilter::reset() { *this = AttitudeFilter(parameters_); }
 void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
   if (!(dt > 0) || !gyro.allFinite() || !acc.allFinite()) return;
   if (fresh_) {
-    if (std::abs(acc.norm() - gravity) < parameters_.stillAcc) correct(acc, 1);
+    if (std::abs(acc.norm() - earthGravity) < parameters_.stillAcc) correct(acc, 1);
     settledFor_ = firstSettled;
     fresh_ = false;
   }
@@ -25,21 +26,21 @@ void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
   tiltVariance_ += parameters_.tiltNoise * parameters_.tiltNoise;
 
   const bool calm = gyro.norm() < parameters_.stillGyro &&
-                    std::abs(acc.norm() - gravity) < parameters_.stillAcc &&
+                    std::abs(acc.norm() - earthGravity) < parameters_.stillAcc &&
                     (acc - lastAcc_).norm() < parameters_.stillAcc;
   stillFor_ = calm ? std::min(stillFor_ + 1, parameters_.stillCycles) : 0;
   lastAcc_ = acc;
 
   if (still()) {
     correct(accWorld, std::min(1.0, dt / parameters_.stillTimeConstant));
-    meanAcc_ = Vec3(0, 0, gravity);
+    meanAcc_ = Vec3(0, 0, earthGravity);
     lostFor_ = 0;
     settledFor_ = parameters_.movingTimeConstant;
     return;
   }
   // Accelerations of a walk average out in the world frame, so each sample counts as it is, without
   // normalising it; free fall pulls nothing, an impact what it gave back of a speed.
-  const Vec3 pull = (accWorld / gravity).cross(Vec3::UnitZ());
+  const Vec3 pull = (accWorld / earthGravity).cross(Vec3::UnitZ());
   const double angle = pull.norm();
   // A new estimate is drawn to the mean of all since its start before the pull gets as weak as it shall be.
   settledFor_ = std::min(settledFor_ + dt, parameters_.movingTimeConstant);
@@ -53,14 +54,14 @@ void AttitudeFilter::update(const Vec3& gyro, const Vec3& acc, double dt) {
   // is never still: a mean acceleration that stays tilted is the way out.
   meanAcc_ += (accWorld - meanAcc_) * std::min(1.0, dt / parameters_.averageTimeConstant);
   const double strength = meanAcc_.norm();
-  const bool tilted = strength > 0.7 * gravity && strength < 1.3 * gravity &&
+  const bool tilted = strength > 0.7 * earthGravity && strength < 1.3 * earthGravity &&
                       meanAcc_.z() < std::cos(parameters_.lostAngle) * strength;
   lostFor_ = tilted ? lostFor_ + dt : 0;
   if (lostFor_ > parameters_.lostSeconds) {
     correct(meanAcc_, 1);
     settledFor_ = 0;
     tiltVariance_ = unknownTilt;
-    meanAcc_ = Vec3(0, 0, gravity);
+    meanAcc_ = Vec3(0, 0, earthGravity);
     lostFor_ = 0;
   }
 }

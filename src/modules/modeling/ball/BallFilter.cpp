@@ -2,6 +2,8 @@
 
 #include <cmath>
 
+#include "tactics/RollingBall.h"
+
 namespace plumbline {
 
 void BallFilter::reset() { *this = BallFilter(parameters_); }
@@ -19,8 +21,7 @@ void BallFilter::start(const Vec2& position, const Mat2& covariance, const Vec2&
 
 void BallFilter::predict(double dt, bool touchable, double drift) {
   if (!started_ || !(dt > 0)) return;
-  const double tau = parameters_.rollingTimeConstant;
-  const double keep = std::exp(-dt / tau), way = tau * (1 - keep);
+  const double keep = std::exp(-dt / ballRollingSeconds), way = ballRollingSeconds * (1 - keep);
   Mat4 transition = Mat4::Identity();
   transition.topRightCorner<2, 2>() = way * Mat2::Identity();
   transition.bottomRightCorner<2, 2>() = keep * Mat2::Identity();

@@ -8,14 +8,12 @@
 namespace plumbline {
 
 /// Position and speed of a ball that rolls over flat ground: a Kalman filter whose model lets the speed die
-/// away exponentially (SimSpark's ball keeps 0.9785 of it per 20 ms: time constant 0.92 s). Coordinates are
-/// those of any frame that stands still on the ground.
+/// away exponentially (ballRollingSeconds). Coordinates are those of any frame that stands still on the
+/// ground.
 class BallFilter {
 public:
   struct Parameters {
     PARAMETERS(Parameters)
-    PARAMETER(double, rollingTimeConstant, 0.92, "s", Range(0.01, 100),
-              "time constant with which the speed of a rolling ball dies away")
     PARAMETER(double, speedNoise, 0.1, "m/s/sqrt(s)", Range(1e-4, 100),
               "random change of speed of a ball that no robot touches")
     PARAMETER(double, touchedSpeedNoise, 1.5, "m/s/sqrt(s)", Range(1e-4, 100),

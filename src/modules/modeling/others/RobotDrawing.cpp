@@ -2,10 +2,12 @@
 
 #include <fmt/format.h>
 
+#include "field/TeamSize.h"
+
 namespace plumbline {
 
 void drawRobots(Drawing& drawing, const std::vector<OtherRobot>& robots, const shapes::Colour& colour) {
-  constexpr std::size_t most = 22;
+  constexpr std::size_t most = 2 * teamSize;
   constexpr double arm = 0.2;  // of a cross [m]
   for (std::size_t i = 0; i < robots.size() && i < most; ++i) {
     const OtherRobot& robot = robots[i];

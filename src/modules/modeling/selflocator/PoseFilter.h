@@ -6,6 +6,7 @@
 #include "modules/modeling/selflocator/PoseBelief.h"
 #include "modules/modeling/selflocator/PoseProposals.h"
 #include "parameters/Parameter.h"
+#include "representations/modeling/Odometry.h"
 
 namespace plumbline {
 
@@ -23,7 +24,8 @@ public:
     PARAMETER(double, fastRate, 0.3, "", Range(0, 1),
               "rate per image of the short-term mean; if it is below the long-term mean, particles are drawn "
               "from the image")
-    PARAMETER(double, stepShare, 0.05, "", Range(0, 1), "error of the odometry, share of the distance walked")
+    PARAMETER(double, stepShare, odometryErrorShare, "", Range(0, 1),
+              "error of the odometry, share of the distance walked")
     PARAMETER(double, stepNoise, 0.0015, "m", Range(1e-6, 1), "error of the odometry in each cycle")
     PARAMETER(double, turnShare, 0.01, "", Range(0, 1), "error of the turn, share of the turn")
     PARAMETER(double, turnNoise, 0.0003, "rad", Range(1e-6, 1), "error of the turn in each cycle")

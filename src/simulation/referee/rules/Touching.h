@@ -1,4 +1,5 @@
 #pragma once
+#include "field/TeamSize.h"
 #include "simulation/referee/Rule.h"
 
 namespace plumbline::simulation {
@@ -12,7 +13,7 @@ public:
   struct Parameters {
     PARAMETERS(Parameters)
     PARAMETER(bool, on, true, "", {}, "whether it is a foul")
-    PARAMETER(int, maxGroup, 2, "", Range(1, 22), "players who touch each other")
+    PARAMETER(int, maxGroup, 2, "", Range(1, 2 * teamSize), "players who touch each other")
     PARAMETER(bool, putOutside, false, "", {}, "of the field, instead of away from the others")
   };
   void judgeGroups(Match& match) override;
