@@ -136,7 +136,7 @@ bench-walk-server:
 	  --robots $(subst $() $(),$(comma),$(addsuffix @$(SERVER),$(serverRobots)))
 	@scripts/make_results.sh walking-server
 
-# Stand-ups and kicks there, beside the same tries on the embedded simulator: SERVER, TRIES, SEED, TYPES="0 4". Writes
+# Stand-ups and kicks there, beside the same tries on the embedded simulator: SERVER, TRIES, SEED, TYPES="0 4", MOTIONS="kickLong". Writes
 # doc/results/motion-server.md.
 bench-motion-server:
 	@scripts/install_packages.sh scripts/packages-bench.txt

@@ -7,15 +7,19 @@
 //   TRIES   of each motion [100]
 //   SEED    of the first try [1]
 //   TYPES   [0 1 2 3 4]
+//   MOTIONS those alone, as kickLong; the page keeps the rows that are not measured anew [all]
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
+#include <regex>
+#include <set>
 #include <sstream>
 #include <stdexcept>
 #include <tuple>
@@ -67,7 +71,11 @@ bool has(const training::ServerTrial& trial, const std::string& motion) {
 /// The tables of all tries, by type, motion and server.
 class Tables {
 public:
-  Tables(int tries, std::uint64_t seed) : tries_(tries), seed_(seed) {}
+  Tables(int tries, std::uint64_t seed, const std::string& motions) : tries_(tries), seed_(seed) {
+    std::istringstream each(motions);
+    for (std::string motion; each >> motion;) wanted_.insert(motion);
+    if (!wanted_.empty()) keepThePage();
+  }
 
   /// All motions of a type; what is measured is written after each of them.
   void add(const std::string& server, const training::SimSparkAddress& address, int type) {
@@ -76,13 +84,32 @@ public:
                                             {"standUpFrontFast", 1},
                                             {"standUpBack", -1},
                                             {"standUpBackFast", -1}})
-      if (has(trial, motion)) standUp(server, trial, type, motion, direction);
+      if (wants(motion) && has(trial, motion)) standUp(server, trial, type, motion, direction);
     for (const char* motion : {"kickShot", "kickLong"})
-      if (has(trial, motion)) kick(server, trial, type, motion);
+      if (wants(motion) && has(trial, motion)) kick(server, trial, type, motion);
   }
 
 private:
   using Rows = std::map<std::tuple<int, std::string, std::string>, std::string>;
+
+  bool wants(const std::string& motion) const { return wanted_.empty() || wanted_.contains(motion); }
+
+  /// Begins with the rows and figures that the page has.
+  void keepThePage() {
+    std::ifstream page("doc/results/motion-server.md");
+    const std::regex row(R"(\| (\d) \| (\w+) \| (\w+) \| .*)"),
+        figure(R"(\| `(motion-server\..*)` \| (.*) \| (.*) \|  \|  \|  \|)");
+    std::smatch found;
+    bool kicks = false;
+    for (std::string line; std::getline(page, line);) {
+      kicks = kicks || line == "### Kicks";
+      if (std::regex_match(line, found, row))
+        (kicks ? kicks_ : stands_)[{std::stoi(found[1]), found[2], found[3]}] = line + '\n';
+      if (std::regex_match(line, found, figure))
+        add(figureJson(found[1], std::stod(found[2]), found[3].str().c_str(),
+                       found[3] == "ms" ? "lower" : "higher"));
+    }
+  }
 
   static std::string textOf(const Rows& rows) {
     std::string text;
@@ -129,8 +156,18 @@ private:
 
   void figure(const std::string& server, int type, const std::string& motion, const char* what, double value,
               const char* unit, const char* better) {
-    figures_.push_back(figureJson(fmt::format("motion-server.type{}.{}.{}.{}", type, motion, server, what),
-                                  value, unit, better));
+    add(figureJson(fmt::format("motion-server.type{}.{}.{}.{}", type, motion, server, what), value, unit,
+                   better));
+  }
+
+  /// In the place of the one of that name.
+  void add(const json& figure) {
+    for (json& old : figures_)
+      if (old["name"] == figure["name"]) {
+        old = figure;
+        return;
+      }
+    figures_.push_back(figure);
   }
 
   Progress progress(const std::string& server, int type, const std::string& motion) const {
@@ -144,6 +181,7 @@ private:
 
   const int tries_;
   const std::uint64_t seed_;
+  std::set<std::string> wanted_;
   Rows stands_, kicks_;
   json figures_ = json::array();
 };
@@ -157,7 +195,8 @@ int run() {
   const std::string types = environmentText("TYPES", "0 1 2 3 4");
   if (types.find_first_not_of("01234 ") != std::string::npos)
     throw std::runtime_error("TYPES=" + types + " are no robot types; write some of 0 1 2 3 4");
-  Tables tables(static_cast<int>(environment("TRIES", 100)), environment("SEED", 1));
+  Tables tables(static_cast<int>(environment("TRIES", 100)), environment("SEED", 1),
+                environmentText("MOTIONS", ""));
   const auto measure = [&](const std::string& name, const training::SimSparkAddress& address) {
     std::istringstream each(types);
     for (int type = 0; each >> type;) tables.add(name, address, type);
