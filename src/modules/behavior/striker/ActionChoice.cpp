@@ -37,7 +37,8 @@ public:
       const double share =
           std::max(0.0, std::min(left, offset + cell_ / 2) - std::max(right, offset - cell_ / 2)) / cell_;
       const double in = share * course.goal;
-      cells_.push_back({in * goalWorth + (1 - in) * course.value, in, course.way});
+      const double out = course.over - in;
+      cells_.push_back({in * goalWorth + out * course.out + (1 - course.over) * course.rest, in, course.way});
     }
     for (int i = -reach_; i <= reach_; ++i)
       weights_.push_back(std::exp(-0.5 * std::pow(i * cell_ / play.kick.scatter, 2)));

@@ -3,25 +3,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/NormalDistribution.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {
 namespace {
 
 constexpr double farAway = 1e3;       ///< [m], [s]
-constexpr double aloneSpeed = 0.65;   ///< of a robot alone with the ball towards the goal [m/s]
 constexpr double narrowSeconds = 10;  ///< that a goal seen from its line costs more
 constexpr double wideOpening = 0.3;   ///< angle between the posts from which on it costs nothing [rad]
-constexpr double aloneRestart = 15;   ///< until a ball that went out is laid down and in play [s]
 constexpr double longestStep = 2;     ///< for which an opponent comes nearer to the ball's way [s]
 constexpr double shortest = 0.05;     ///< way of a ball [m]
-constexpr double flies = 0.6;         ///< share of its way over which a kick flies
 constexpr double overLying = 0.2;     ///< a kick that rises so high goes over a robot that lies [m]
 constexpr double comesToBall = 0.85;  ///< cosine between its velocity and the way to the ball
-constexpr double riseSpread = 0.35;   ///< standard deviation of a kick's height, share of it
-
-/// The share of a normal distribution below `deviations`.
-double below(double deviations) { return 0.5 * std::erfc(-deviations / std::sqrt(2.0)); }
 
 /// When a ball that goes `reach` in all has gone `way` [s].
 double rollingSeconds(double way, double reach) {
@@ -44,6 +38,7 @@ BallCourses::BallCourses(const StrikerSituation& situation, const FieldValue& va
                          const TimeToBallParameters& time, const ActionChoiceParameters& parameters)
     : situation_(situation), value_(value), time_(time), parameters_(parameters) {
   alone_ = situation.others.empty();
+  if (alone_) timeToGoal_.emplace(situation, time, parameters);
   opponentSeconds_ = opponentAtBall();
   lost_ = worth(situation.ball, -1);
 }
@@ -54,12 +49,11 @@ double BallCourses::worth(const Vec2& place, double advantage) const {
   const double opening =
       std::atan((y + situation_.goalHalfWidth) / ahead) - std::atan((y - situation_.goalHalfWidth) / ahead);
   const double aside = narrowSeconds * std::max(0.0, 1 - opening / wideOpening);
-  return 1 -
-         ((situation_.goal() - place).norm() / aloneSpeed + parameters_.kickSeconds + aside) / aloneSeconds;
+  return 1 - (timeToGoal_->seconds((situation_.goal() - place).norm()) + aside) / aloneSeconds;
 }
 
 double BallCourses::worthOfOut(const Vec2& end, bool overTheirLine) const {
-  if (alone_) return worth(end, 0) - aloneRestart / aloneSeconds;
+  if (alone_) return worth(end, 0) - secondsOfRestart / aloneSeconds;
   const double x = overTheirLine ? situation_.halfLength - parameters_.goalKickWay : end.x();
   return value_.at({Vec2(x, overTheirLine ? 0.5 * end.y() : end.y()), -1});
 }
@@ -105,13 +99,6 @@ double BallCourses::opponentAtBall() const {
   return std::max(first, situation_.freeSeconds);
 }
 
-double BallCourses::underBar(double share, double rise) const {
-  const double most = situation_.goalHeight - 2 * situation_.ballRadius;
-  const double parabola = share < 1 ? 4 * share * (1 - share) : 0;
-  const double height = parabola * rise;
-  return height > 1e-6 ? below((most - height) / (riseSpread * height)) : 1;
-}
-
 double BallCourses::freeWay(const Vec2& direction, double reach, bool high) const {
   double way = reach;
   for (const OtherRobot& robot : situation_.others) {
@@ -143,21 +130,22 @@ BallCourse BallCourses::course(double direction, const BallPlay& play, const Rec
   if (play.dribbled && clear < reach) clear += parameters_.pushThrough * (reach - clear);
   BallCourse course;
   // What is not over the line rests before it, or at a robot.
-  const double over = line <= clear ? below((reach - line) / std::max(play.kick.spread, 1e-3)) : 0.0;
+  course.over = line <= clear ? shareBelow((reach - line) / std::max(play.kick.spread, 1e-3)) : 0.0;
   course.way = std::min({clear, line, reach});
   const Vec2 end = situation_.ball + course.way * to;
-  if (over > 0) {
+  if (course.over > 0) {
     const Vec2 out = situation_.ball + line * to;
     const bool theirs = to.x() > 0 && toX <= toY;
-    course.value = over * worthOfOut(out, theirs);
-    if (theirs) course.goal = over * underBar(line / (flies * reach), play.kick.rise);
+    course.out = worthOfOut(out, theirs);
+    if (theirs)
+      course.goal = course.over * shareUnderBar(situation_, line / (flyingShare * reach), play.kick.rise);
   }
-  if (over < 1) {
+  if (course.over < 1) {
     double own = play.dribbled ? 0.0 : course.way / time_.walkSpeed;
     own = std::min(own, firstOf(receivers.mates, end, {time_.walkSpeed, time_.turnSpeed}));
     const double theirs = firstOf(receivers.opponents, end, {situation_.opponentSpeed, time_.turnSpeed});
     const double advantage = ballAdvantage(own, theirs);
-    course.value += (1 - over) * worth(end, advantage);
+    course.rest = worth(end, advantage);
   }
   return course;
 }

@@ -1,10 +1,15 @@
 #pragma once
+#include <optional>
 #include <vector>
 
 #include "modules/behavior/striker/ActionChoice.h"
+#include "modules/behavior/striker/TimeToGoal.h"
 #include "tactics/Arrival.h"
 
 namespace plumbline {
+
+inline constexpr double flyingShare = 0.6;      ///< of its way over which a kick flies
+inline constexpr double secondsOfRestart = 15;  ///< until a ball that went out is laid down and in play [s]
 
 /// How a ball is played: a kick, or a dribble, which takes the robot along.
 struct BallPlay {
@@ -19,8 +24,10 @@ struct Receivers {
 
 /// What becomes of a ball that goes in one direction [rad].
 struct BallCourse {
-  double way = 0;    ///< of a ball that goes as far as it means to [m]
-  double value = 0;  ///< mean over how far it goes, without the goal
+  double way = 0;   ///< of a ball that goes as far as it means to [m]
+  double over = 0;  ///< probability that it goes over a line of the field
+  double out = 0;   ///< value of a ball that is out there
+  double rest = 0;  ///< value of one that rests before it
   double goal = 0;  ///< probability that it crosses the opponents' line under the bar; not: between the posts
 };
 
@@ -46,8 +53,6 @@ private:
 
   double worth(const Vec2& place, double advantage) const;
   double worthOfOut(const Vec2& end, bool overTheirLine) const;
-  /// The probability that a kick that rises so high [m] is below the bar at a share of its flight.
-  double underBar(double share, double rise) const;
   /// When the first opponent can play the ball [s].
   double opponentAtBall() const;
   /// How far the ball gets before a robot in its way; a high one goes over who lies.
@@ -58,6 +63,7 @@ private:
   const TimeToBallParameters& time_;
   const ActionChoiceParameters& parameters_;
   bool alone_ = true;
+  std::optional<TimeToGoal> timeToGoal_{};  ///< without others
   double lost_ = 0, opponentSeconds_ = 0;
 };
 
