@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numeric>
 
+#include "math/NormalDistribution.h"
+
 namespace plumbline {
 namespace {
 
@@ -38,7 +40,7 @@ void FieldValueLearner::addPrior() {
       const double y = std::abs(from.place.y());
       const double mouth = 0.5 * (std::erf((options_.goalHalfWidth - y) / deviation / std::sqrt(2.0)) +
                                   std::erf((options_.goalHalfWidth + y) / deviation / std::sqrt(2.0)));
-      return mouth * 0.5 * std::erfc((options_.goalX - x) / deviation / std::sqrt(2.0));
+      return mouth * shareBelow((x - options_.goalX) / deviation);
     };
     const double ours = behind(from.place.x()), theirs = behind(-from.place.x());
     for (std::size_t j = 0; j < points; ++j)

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "math/NormalDistribution.h"
+
 namespace plumbline::gap {
 
 namespace {
@@ -10,8 +12,6 @@ namespace {
 constexpr double meanSpread = 1;      // of the log share left, before any data
 constexpr double motionSpread = 0.5;  // of it from motion to motion, likewise
 constexpr double leastLeft = 0.02;    // share: less is noise
-
-double normalShare(double x) { return std::erfc(-x / std::sqrt(2.0)) / 2; }
 
 }  // namespace
 
@@ -51,7 +51,7 @@ Claim claimOf(const std::vector<double>& closedPerGroup, double bias) {
       const double x = (low + high) / 2;
       double below = 0;
       for (const Point& point : grid)
-        below += point.weight / all * normalShare((x - point.mean) / point.deviation);
+        below += point.weight / all * shareBelow((x - point.mean) / point.deviation);
       (below < share ? low : high) = x;
     }
     return (low + high) / 2;

@@ -9,9 +9,9 @@
 namespace plumbline {
 namespace {
 
-constexpr double step = 0.25;    ///< of the distance [m]
-constexpr double farthest = 40;  ///< [m]
-constexpr double nearest = 1;    ///< a ball before the goal that was meant to be in it lies so far off [m]
+constexpr double distanceStep = 0.25;   ///< of the distance [m]
+constexpr double largestDistance = 40;  ///< [m]
+constexpr double nearestRest = 1;  ///< a ball before the goal that was meant to be in it lies so far off [m]
 constexpr double riseSpread = 0.35;  ///< standard deviation of a kick's height, share of it
 
 }  // namespace
@@ -26,7 +26,7 @@ double shareUnderBar(const StrikerSituation& situation, double share, double ris
 TimeToGoal::TimeToGoal(const StrikerSituation& situation, const TimeToBallParameters& time,
                        const ActionChoiceParameters& parameters) {
   const double inside = situation.goalHalfWidth - situation.ballRadius;
-  for (double distance = 0; distance <= farthest; distance += step) {
+  for (double distance = 0; distance <= largestDistance; distance += distanceStep) {
     double least = parameters.pushSeconds + distance / parameters.dribbleSpeed;
     for (const KickEffect& kick : situation.kicks) {
       const double over = shareBelow((kick.distance - distance) / std::max(kick.spread, 1e-3));
@@ -34,7 +34,7 @@ TimeToGoal::TimeToGoal(const StrikerSituation& situation, const TimeToBallParame
       const double in =
           over * between * shareUnderBar(situation, distance / (flyingShare * kick.distance), kick.rise);
       // What falls short is walked to. What goes out is laid down after a while, and the robot comes back.
-      const double rest = std::max(distance - kick.distance, nearest), out = over - in;
+      const double rest = std::max(distance - kick.distance, nearestRest), out = over - in;
       const double after = (1 - over) * ((distance - rest) / time.walkSpeed + seconds(rest));
       const double restart = secondsOfRestart + distance / time.walkSpeed;
       // A miss costs the restart and all over again: the mean of a geometric number of tries.
@@ -47,7 +47,7 @@ TimeToGoal::TimeToGoal(const StrikerSituation& situation, const TimeToBallParame
 
 double TimeToGoal::seconds(double distance) const {
   if (seconds_.empty()) return 0;
-  const double at = std::clamp(distance / step, 0.0, static_cast<double>(seconds_.size() - 1));
+  const double at = std::clamp(distance / distanceStep, 0.0, static_cast<double>(seconds_.size() - 1));
   const auto i = static_cast<std::size_t>(at);
   if (i + 1 >= seconds_.size()) return seconds_.back();
   return std::lerp(seconds_[i], seconds_[i + 1], at - static_cast<double>(i));
