@@ -14,9 +14,9 @@ constexpr double smoothing = 0.2;  // [s], of the tilt that an accelerometer sho
 constexpr double fallen = 1;       // [rad]
 constexpr double walked = 0.3;     // [m] from which a speed is worth a line
 
-using Series = std::vector<std::vector<double>>;  ///< per signal of the trial
+using SignalValues = std::vector<std::vector<double>>;  ///< per signal of the trial
 
-const std::vector<double>* find(const Trial& trial, const Series& series, SignalKind kind, int axis) {
+const std::vector<double>* find(const Trial& trial, const SignalValues& series, SignalKind kind, int axis) {
   for (std::size_t s = 0; s < trial.signals.size(); ++s)
     if (trial.signals[s].kind == kind && trial.signals[s].axis == axis && !series[s].empty())
       return &series[s];
@@ -24,7 +24,7 @@ const std::vector<double>* find(const Trial& trial, const Series& series, Signal
 }
 
 /// Root mean square of the turning rate about the level axes, their means taken off [rad/s].
-double sway(const Trial& trial, const Series& series) {
+double sway(const Trial& trial, const SignalValues& series) {
   double whole = 0;
   for (const int axis : {0, 1}) {
     const std::vector<double>* rate = find(trial, series, SignalKind::gyro, axis);
@@ -39,7 +39,7 @@ double sway(const Trial& trial, const Series& series) {
 }
 
 /// Largest angle of the specific force, smoothed, from the torso's z axis [rad].
-double largestTilt(const Trial& trial, const Series& series) {
+double largestTilt(const Trial& trial, const SignalValues& series) {
   const auto axis = [&](int i) { return find(trial, series, SignalKind::accelerometer, i); };
   const std::vector<double>*x = axis(0), *y = axis(1), *z = axis(2);
   if (!x || !y || !z) return nan;
@@ -59,7 +59,7 @@ double largestTilt(const Trial& trial, const Series& series) {
 }
 
 /// Mean share of the first foot in what the force sensors carry.
-double shareOnFirstFoot(const Trial& trial, const Series& series) {
+double shareOnFirstFoot(const Trial& trial, const SignalValues& series) {
   double first = 0, all = 0;
   for (std::size_t s = 0; s < trial.signals.size(); ++s) {
     if (trial.signals[s].kind != SignalKind::force) continue;
@@ -73,7 +73,7 @@ double shareOnFirstFoot(const Trial& trial, const Series& series) {
 }
 
 /// From the first to the last place seen, level [m].
-double wayGone(const Trial& trial, const Series& series) {
+double wayGone(const Trial& trial, const SignalValues& series) {
   const std::vector<double>*x = find(trial, series, SignalKind::truth, 0),
         *y = find(trial, series, SignalKind::truth, 1);
   if (!x || !y) return nan;
@@ -101,7 +101,7 @@ std::vector<Behavior> behaviors(const Evaluator& evaluator, const std::vector<Pr
     const Trial& trial = trials[t];
     if (!trial.freeBase) continue;
     const std::string run = std::filesystem::path(trial.name).filename().string();
-    Series measured;
+    SignalValues measured;
     for (const Signal& signal : trial.signals) measured.push_back(signal.values);
     const Prediction plain = inOnePiece(trial, {}, nominal[t]),
                      better = inOnePiece(trial, evaluator.base(), evaluator.basePrediction(t));
@@ -117,7 +117,7 @@ std::vector<Behavior> behaviors(const Evaluator& evaluator, const std::vector<Pr
     add("way gone", "m", wayGone);
     if (const double seconds = trial.time.back() - trial.time.front(); wayGone(trial, measured) > walked)
       add("mean speed", "m/s",
-          [&](const Trial& of, const Series& series) { return wayGone(of, series) / seconds; });
+          [&](const Trial& of, const SignalValues& series) { return wayGone(of, series) / seconds; });
     const double tilt = largestTilt(trial, measured);
     if (std::isfinite(tilt))
       list.push_back({"fell, " + run, "0 or 1", tilt > fallen ? 1.0 : 0.0, plain.fell ? 1.0 : 0.0,
