@@ -1,11 +1,11 @@
 #!/usr/bin/env bash
 # Searches a long kick by stages: first as far as the ball goes, whatever becomes of the robot, then with more and more worth of a robot
 # that stays upright. One search that wants both from the beginning ends at 7 to 9 m (doc/decisions/0020-what-limits-a-kick.md).
-# The kick to begin with gets a keyframe more at its end, in which the robot can catch itself. The result is FOLDER/kick.yaml, with what 1000
-# tries with other seeds gave in its head; it goes to config/robots/simspark_typeTYPE/motions/. About 40 minutes of two cores. Stopped or
+# The kick to begin with gets a keyframe more at its end, in which the robot can catch itself. The result is FOLDER/kick.yaml, with what TRIES
+# runs with other seeds gave in its head; it goes to config/robots/simspark_typeTYPE/motions/. About 40 minutes of two cores. Stopped or
 # killed, the same command goes on.
 #   scripts/optimise_kick.sh TYPE [MOTION]     MOTION: a kick of that type, or a file of any [kickLong]
-# Variables: SEED of the searches [1], WORKERS [2], FOLDER [kickTYPE.search], EFFORT, a factor of the number of generations [1].
+# Variables: SEED of the searches [1], WORKERS [2], FOLDER [kickTYPE.search], EFFORT, a factor of the number of generations [1], TRIES [1000].
 # Examples:
 #   scripts/optimise_kick.sh 2
 #   SEED=7 scripts/optimise_kick.sh 0 config/robots/simspark_type1/motions/kickLong.yaml
@@ -15,9 +15,10 @@ fail() { echo "optimise_kick.sh: $*; see optimise_kick.sh --help" >&2; exit 2; }
 root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
 bin=${BIN:-$root/bin}
 (($# == 1 || $# == 2)) || fail "needs a type"
-type=$1 motion=${2:-kickLong} seed=${SEED:-1} workers=${WORKERS:-2} effort=${EFFORT:-1} folder=${FOLDER:-kick$1.search}
+type=$1 motion=${2:-kickLong} seed=${SEED:-1} workers=${WORKERS:-2} effort=${EFFORT:-1} tries=${TRIES:-1000} folder=${FOLDER:-kick$1.search}
 [[ $type =~ ^[0-9]$ && -d $root/config/robots/simspark_type$type ]] || fail "no robot type '$type'"
 [[ $seed =~ ^[0-9]{1,9}$ ]] || fail "SEED is a whole number, not '$seed'"
+[[ $tries =~ ^[1-9][0-9]{0,5}$ ]] || fail "TRIES is a whole number from 1, not '$tries'"
 [[ $effort =~ ^[0-9]+(\.[0-9]+)?$ ]] || fail "EFFORT is a number, not '$effort'"
 file=$motion
 for place in "$root/config/motions" "$root/config/robots/simspark_type$type/motions"; do
@@ -63,7 +64,7 @@ STUDY
   search=("$bin/optserver" "$stage/study.yaml" --config "$config" --folder "$stage/search")
   [[ -f $stage/done ]] || "${search[@]}" --workers "$workers" --port 0
   touch "$stage/done"
-  "${search[@]}" --measure "$((i < ${#stages[@]} ? 200 : 1000))" --first-seed 1000000
+  "${search[@]}" --measure "$tries" --first-seed 1000000
   from=$stage/search/kick.yaml
 done
 cp "$from" "$folder/kick.yaml"
