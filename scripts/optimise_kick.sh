@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # Searches a long kick by stages: first as far as the ball goes, whatever becomes of the robot, then with more and more worth of a robot
 # that stays upright. One search that wants both from the beginning ends at 7 to 9 m (doc/decisions/0020-what-limits-a-kick.md).
-# The kick to begin with gets a keyframe more at its end, in which the robot can catch itself. The result is FOLDER/kick.yaml, with what TRIES
-# runs with other seeds gave in its head; it goes to config/robots/simspark_typeTYPE/motions/. About 40 minutes of two cores. Stopped or
+# The kick to begin with gets a keyframe more at its end, in which the robot can catch itself. The result is FOLDER/kick.yaml; its head
+# says what TRIES runs with other seeds gave. It goes to config/robots/simspark_typeTYPE/motions/. About 40 minutes of two cores. Stopped or
 # killed, the same command goes on.
 #   scripts/optimise_kick.sh TYPE [MOTION]     MOTION: a kick of that type, or a file of any [kickLong]
 # Variables: SEED of the searches [1], WORKERS [2], FOLDER [kickTYPE.search], EFFORT, a factor of the number of generations [1], TRIES [1000].
