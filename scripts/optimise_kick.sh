@@ -5,7 +5,7 @@
 # says what TRIES runs with other seeds gave. It goes to config/robots/simspark_typeTYPE/motions/. About 40 minutes of two cores. Stopped or
 # killed, the same command goes on.
 #   scripts/optimise_kick.sh TYPE [MOTION]     MOTION: a kick of that type, or a file of any [kickLong]
-# Variables: SEED of the searches [1], WORKERS [2], FOLDER [kickTYPE.search], EFFORT, a factor of the number of generations [1], TRIES [1000].
+# Variables: SEED of the searches [1], WORKERS [2], FOLDER [kickTYPE.search], TRIES [1000]. EFFORT multiplies the number of generations [1].
 # Examples:
 #   scripts/optimise_kick.sh 2
 #   SEED=7 scripts/optimise_kick.sh 0 config/robots/simspark_type1/motions/kickLong.yaml
