@@ -80,14 +80,11 @@ std::string parameterPage(const Registry& registry, const std::map<std::string, 
   std::string page =
       "# Parameters of the modules\n\n"
       "`bin/agent --parameters` made this page. Values that differ from these are in `config/<Module>.yaml`, "
-      "which\n"
-      "you create if it does not exist; those of the group `walk` are in `config/walking.yaml`. The "
-      "parameters of "
-      "a group\n"
-      "are in a map with the group's name. A value out of its range and an unknown key are errors at the "
-      "start, "
-      "with file\n"
-      "and line. A module that is not on this page has no parameters.\n";
+      "which\nyou create if it does not exist; a group with a file of its own is an error there that names "
+      "the "
+      "file. The\nparameters of a group are in a map with the group's name. A value out of its range and an "
+      "unknown key are errors\nat the start, with file and line. A module that is not on this page has no "
+      "parameters.\n";
   for (const auto& [name, loader] : registry.modules()) {
     const ParameterList& parameters = loader->description().parameters;
     if (parameters.empty()) continue;

@@ -1,11 +1,10 @@
 #include "framework/Platform.h"
 
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <string_view>
 
 #include "framework/ConfigurationError.h"
+#include "framework/LinkedTwice.h"
 #include "framework/NearestName.h"
 
 namespace plumbline {
@@ -19,10 +18,7 @@ std::map<std::string, Platforms::Maker>& platformMakers() {
 }  // namespace
 
 bool Platforms::add(const std::string& name, Maker maker) {
-  if (!platformMakers().emplace(name, maker).second) {
-    std::fprintf(stderr, "two platforms with the name %s are linked into this program\n", name.c_str());
-    std::exit(2);
-  }
+  if (!platformMakers().emplace(name, maker).second) endLinkedTwice("platforms", name);
   return true;
 }
 

@@ -1,7 +1,6 @@
 #include "framework/Registry.h"
 
-#include <cstdio>
-#include <cstdlib>
+#include "framework/LinkedTwice.h"
 
 namespace plumbline {
 
@@ -12,10 +11,7 @@ Registry& Registry::instance() {
 
 void Registry::add(const ModuleLoader& loader) {
   const std::string& name = loader.description().name;
-  if (!modules_.emplace(name, &loader).second) {
-    std::fprintf(stderr, "two modules with the name %s are linked into this program\n", name.c_str());
-    std::exit(2);
-  }
+  if (!modules_.emplace(name, &loader).second) endLinkedTwice("modules", name);
 }
 
 const std::map<std::string, const RepresentationLoader*>& Registry::representations() const {

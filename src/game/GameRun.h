@@ -5,8 +5,8 @@
 #include "game/RunLines.h"
 #include "game/Summary.h"
 #include "game/TrackPicture.h"
-#include "simspark/Ports.h"
 #include "simspark/SceneState.h"
+#include "simspark/StandardPorts.h"
 
 namespace plumbline {
 class StopSignal;

@@ -1,10 +1,10 @@
 #include "optimization/Optimizers.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 #include <tuple>
+
+#include "framework/LinkedTwice.h"
 
 namespace plumbline {
 
@@ -19,10 +19,8 @@ std::vector<OptimizerKind>& registeredKinds() {
 
 OptimizerLoader::OptimizerLoader(const OptimizerKind& kind) {
   std::vector<OptimizerKind>& kinds = registeredKinds();
-  if (std::ranges::count(kinds, std::string_view(kind.name), &OptimizerKind::name) > 0) {
-    std::fprintf(stderr, "two optimisers with the name %s are linked into this program\n", kind.name);
-    std::exit(2);
-  }
+  if (std::ranges::count(kinds, std::string_view(kind.name), &OptimizerKind::name) > 0)
+    endLinkedTwice("optimisers", kind.name);
   const auto place = [](const OptimizerKind& k) { return std::tuple(k.order, std::string_view(k.name)); };
   kinds.insert(std::ranges::upper_bound(kinds, place(kind), {}, place), kind);
 }

@@ -1,11 +1,10 @@
 #include "servo/RobotSimulation.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <map>
 #include <stdexcept>
 
+#include "framework/LinkedTwice.h"
 #include "framework/NearestName.h"
 
 namespace plumbline::servo {
@@ -35,11 +34,8 @@ Vec3 RobotSimulation::comVelocity() const {
 }
 
 bool RobotSimulations::add(const std::string& engine, Maker maker) {
-  if (!simulationMakers().emplace(engine, std::move(maker)).second) {
-    std::fprintf(stderr, "two engines for servo robots with the name %s are linked into this program\n",
-                 engine.c_str());
-    std::exit(2);
-  }
+  if (!simulationMakers().emplace(engine, std::move(maker)).second)
+    endLinkedTwice("engines for servo robots", engine);
   return true;
 }
 

@@ -19,7 +19,7 @@
 namespace plumbline::simspark {
 namespace {
 
-constexpr int mostLooks = 50;  ///< for the end of a killed child's group, 5 ms apart
+constexpr int groupLooks = 50;  ///< for the end of a killed child's group, 5 ms apart
 
 /// Pointers to the texts, which stay where they are, with the null that ends them.
 std::vector<char*> pointersTo(const std::vector<std::string>& texts) {
@@ -164,8 +164,8 @@ void ChildProcess::stop(double patienceSeconds) {
   sendSignal(SIGKILL);
   reap(0);
   // Who writes down where it hung is in its group. It must still see this process, or it takes the child for
-  // one that was taken along (CrashLog), and writes nothing.
-  for (int i = 0; i < mostLooks && kill(-pid_, 0) == 0; ++i) usleep(5000);
+  // one that was taken along (CrashLog), and writes nothing. A whole group was killed with it.
+  for (int i = 0; !wholeGroup_ && i < groupLooks && kill(-pid_, 0) == 0; ++i) usleep(5000);
 }
 
 }  // namespace plumbline::simspark

@@ -51,7 +51,7 @@ public:
   /// all are asked before stop() waits for the first: then their times pass together.
   void askToStop(double patienceSeconds = 0.7);
   /// Asks it unless that was done, then SIGKILL once its patience is over; to its group if that is its whole.
-  /// Returns when it has ended.
+  /// Returns when it has ended; one that was killed leaves its group a quarter of a second to end, too.
   void stop(double patienceSeconds = 0.7);
   /// Of a process that has ended.
   ProcessUsage usage() const { return usage_; }

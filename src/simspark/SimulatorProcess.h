@@ -4,7 +4,7 @@
 #include <vector>
 
 #include "simspark/ChildProcess.h"
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 
 namespace plumbline::simspark {
 

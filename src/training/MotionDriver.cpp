@@ -11,6 +11,7 @@
 #include "framework/ModuleParameters.h"
 #include "math/Angle.h"
 #include "motion/KeyframeReader.h"
+#include "motion/MotionDefaults.h"
 #include "robot/BodyJoints.h"
 #include "simspark/LeagueRobots.h"
 #include "training/FeltFeet.h"
@@ -18,11 +19,6 @@
 
 namespace plumbline::training {
 namespace {
-
-// As FallDetector and Stillness see it.
-constexpr double lyingTilt = 1.05;  // [rad]
-constexpr double stillTurn = 0.3;   // [rad/s]
-constexpr double standFade = 0.14;  // StandMotion's [s]
 
 std::vector<std::filesystem::path> motionDirectories(int type) {
   std::vector<std::filesystem::path> paths;
@@ -76,8 +72,8 @@ double MotionDriver::tilt() const { return std::acos(std::clamp(up().z(), -1.0, 
 
 void MotionDriver::step(const JointArray& targets) {
   move(targets);
-  tiltedCycles_ = tilt() > lyingTilt ? tiltedCycles_ + 1 : 0;
-  stillCycles_ = readings().gyro.norm() < stillTurn ? stillCycles_ + 1 : 0;
+  tiltedCycles_ = tilt() > motion::lyingTilt ? tiltedCycles_ + 1 : 0;
+  stillness_.update(readings().gyro);
 }
 
 bool MotionDriver::play(const motion::KeyframeMotion& motion, bool stopAtFall) {
@@ -96,7 +92,7 @@ double MotionDriver::standStill(double seconds) {
   const JointArray from = player.angles();
   const long cycles = std::lround(seconds / dt);
   for (long i = 1; i <= cycles; ++i) {
-    const double share = std::min(1.0, static_cast<double>(i) * dt / standFade);
+    const double share = std::min(1.0, static_cast<double>(i) * dt / motion::standFade);
     JointArray targets = stand;
     for (std::size_t j = 0; j < maxJoints; ++j) targets[j] = (1 - share) * from[j] + share * stand[j];
     step(targets);
@@ -138,7 +134,8 @@ const motion::KeyframeMotion& MotionDriver::nextStandUp(bool again) {
 void MotionDriver::forget() {
   walk =
       walking::WalkEngine(gaits, model);  // its reset() keeps what it learnt and the foot of its first step
-  tiltedCycles_ = stillCycles_ = 0;
+  tiltedCycles_ = 0;
+  stillness_ = {};
 }
 
 JointArray MotionDriver::jitter(double size) {

@@ -5,7 +5,9 @@
 #include <vector>
 
 #include "motion/KeyframePlayer.h"
+#include "motion/MotionDefaults.h"
 #include "motion/StandUpChoice.h"
+#include "motion/Stillness.h"
 #include "robot/RobotModel.h"
 #include "simulation/world/World.h"
 #include "walking/engine/WalkEngine.h"
@@ -16,8 +18,7 @@ namespace plumbline::training {
 /// time. In which world the robot is, a derived class knows.
 class MotionDriver {
 public:
-  static constexpr double dt = 0.02;           ///< cycle [s]
-  static constexpr double uprightTilt = 0.45;  ///< FallDetector's [rad]
+  static constexpr double dt = 0.02;  ///< cycle [s]
 
   virtual ~MotionDriver() = default;
   MotionDriver(const MotionDriver&) = delete;
@@ -42,14 +43,14 @@ public:
   /// The world's vertical in the torso frame, unit.
   Vec3 up() const { return torsoPose().linear().row(2).transpose(); }
   double tilt() const;  ///< of the torso [rad]
-  bool upright() const { return tilt() < uprightTilt; }
+  bool upright() const { return tilt() < motion::uprightTilt; }
   double height() const { return torsoPose().translation().z(); }
 
   /// One cycle in which the joints go to these targets [rad].
   void step(const JointArray& targets);
-  bool lying() const { return tiltedCycles_ >= 5; }
+  bool lying() const { return tiltedCycles_ * dt >= motion::lyingSeconds; }
   /// The torso does not turn: what a wait to settle waits for.
-  bool still() const { return stillCycles_ >= 3; }
+  bool still() const { return stillness_.still(); }
 
   /// Plays the motion; false if the robot lay down meanwhile and stopAtFall is set.
   bool play(const motion::KeyframeMotion& motion, bool stopAtFall = false);
@@ -90,7 +91,8 @@ protected:
 
 private:
   std::mt19937 generator_{1};
-  int tiltedCycles_ = 0, stillCycles_ = 0;
+  int tiltedCycles_ = 0;
+  motion::Stillness stillness_;
 };
 
 }  // namespace plumbline::training

@@ -3,10 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 
 #include "framework/ConfigurationError.h"
+#include "framework/LinkedTwice.h"
 #include "framework/NearestName.h"
 
 namespace plumbline::training {
@@ -26,10 +25,8 @@ std::string SearchTask::file(const Eigen::VectorXd&, const std::string&,
 
 TaskLoader::TaskLoader(const TaskKind& kind) {
   std::vector<TaskKind>& kinds = registered();
-  if (std::ranges::count(kinds, std::string_view(kind.name), &TaskKind::name) > 0) {
-    std::fprintf(stderr, "two tasks with the name %s are linked into this program\n", kind.name);
-    std::exit(2);
-  }
+  if (std::ranges::count(kinds, std::string_view(kind.name), &TaskKind::name) > 0)
+    endLinkedTwice("tasks", kind.name);
   kinds.insert(std::ranges::upper_bound(kinds, std::string_view(kind.name), {}, &TaskKind::name), kind);
 }
 

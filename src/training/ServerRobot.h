@@ -10,8 +10,8 @@
 #include "simspark/AgentCommand.h"
 #include "simspark/Connection.h"
 #include "simspark/MonitorClient.h"
-#include "simspark/Ports.h"
 #include "simspark/ServerMessage.h"
+#include "simspark/StandardPorts.h"
 #include "simulation/world/World.h"
 
 namespace plumbline::training {

@@ -3,7 +3,7 @@
 #include <string>
 
 #include "field/TeamSize.h"
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 #include "watch/GameCounter.h"
 
 namespace plumbline {

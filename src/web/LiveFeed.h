@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "simspark/MonitorClient.h"
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 #include "web/Broadcast.h"
 #include "web/DrawingPort.h"
 #include "web/Feed.h"

@@ -10,7 +10,7 @@
 
 namespace plumbline::gap {
 
-TEST(CandidateScreening, aSecondCauseIsPredictedBesideTheFirst) {
+TEST(CandidateScreening, aSecondCauseIsPredictedWithTheFirst) {
   const Mechanism arm = twoJointArm();
   const Cause first = causeOfArm("coulomb_friction", "elbow", 0.1);
   const Groups groups(recordings({first, causeOfArm("bias_force", "shoulder", 0.2)}));

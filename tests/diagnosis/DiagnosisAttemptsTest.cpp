@@ -45,7 +45,7 @@ TEST_F(DiagnosisAttemptsTest, oneIsEnoughWhereRepeatsDifferByNoise) {
   EXPECT_FALSE(fs::exists(file));
 }
 
-TEST_F(DiagnosisAttemptsTest, theSecondFindsLostCommandsBesideWhatTheFirstFound) {
+TEST_F(DiagnosisAttemptsTest, theSecondFindsLostCommandsWithWhatTheFirstFound) {
   const std::vector<Trial> trials = trialsWith(0.1);
   const Evidence byRepeats(trials);
   DiagnosisAttempts attempts(arm, {}, file, {});

@@ -9,7 +9,7 @@
 namespace plumbline::gap {
 namespace {
 
-TEST(ForwardSelectionTest, whatIsBesideLostCommandsIsFittedBesideThem) {
+TEST(ForwardSelectionTest, anotherCauseIsFittedTogetherWithLostCommands) {
   const Mechanism arm = twoJointArm();
   const Plant plant = plantOf(arm, {causeOfArm("coulomb_friction", "elbow", 0.1)});
   const Evidence evidence = evidenceOf(recordedTwice(plant, 5e-4, 0.1), 1);

@@ -10,7 +10,7 @@ namespace {
 
 constexpr double noise = 5e-4;
 
-TEST(RepeatNoiseTest, lostCommandsAreNoNoiseBesideAnotherCauseEither) {
+TEST(RepeatNoiseTest, lostCommandsAreNoNoiseWithAnotherCauseEither) {
   Plant plant = nominalPlant(twoJointArm());
   plant.joints[1].coulomb += 0.1;
   const std::vector<Trial> trials = recordedTwice(plant, noise, 0.1);
@@ -19,7 +19,7 @@ TEST(RepeatNoiseTest, lostCommandsAreNoNoiseBesideAnotherCauseEither) {
     EXPECT_LT(evidence.noise(0, s).sigma, byRepeats.noise(0, s).sigma / 4) << s;
 }
 
-TEST(RepeatNoiseTest, besideAStrongCauseOnceItIsKnown) {
+TEST(RepeatNoiseTest, withAStrongCauseOnceItIsKnown) {
   Plant plant = nominalPlant(twoJointArm());
   for (JointPlant& joint : plant.joints) joint.viscous += 1;
   const Evidence byRepeats(recordedTwice(plant, noise, 0.1));

@@ -5,7 +5,8 @@ search 3
 for stage in 1 2 3 4 5; do [[ -s $scratch/kick/stage$stage/search/kick.yaml ]] || fail "no stage $stage: $(tail -3 "$scratch/log")"; done
 grep -q '^kick: {distance: ' "$scratch/kick/kick.yaml" || fail "the kick does not say what it does: $(head -8 "$scratch/kick/kick.yaml")"
 frames() { grep -c '^  - {time:' "$1"; }
-expectEqual "$(frames "$scratch/kick/start.yaml")" $(($(frames config/robots/simspark_type3/motions/kickLong.yaml) + 1)) "keyframes at the beginning"
+expectEqual "$(frames "$scratch/kick/stage2/config/robots/simspark_type3/motions/kickStage.yaml")" \
+  $(($(frames "$scratch/kick/stage1/search/kick.yaml") + 1)) "keyframes at the beginning of the second stage"
 cp "$scratch/kick/kick.yaml" "$scratch/before.yaml"
 search 3
 cmp "$scratch/before.yaml" "$scratch/kick/kick.yaml" || fail "the same command found another kick"

@@ -14,7 +14,7 @@ using plumbline::writeFile;
 
 namespace {
 
-TEST(WriteFile, replacesTheFileAndLeavesNothingBeside) {
+TEST(WriteFile, replacesTheFileAndLeavesNoOther) {
   const std::string path = testing::TempDir() + "write_file.txt";
   writeFile(path, "first");
   writeFile(path, "second");

@@ -21,7 +21,7 @@ TEST(Corpus, saysWhereAFileIsCutOff) {
   }
 }
 
-TEST(Corpus, takesWhatWasFoundBesideWhatWasLearnt) {
+TEST(Corpus, takesWhatWasFoundAndWhatWasLearnt) {
   const std::string folder = scratchFolder() + "/kept";
   scratchFile("kept/json.inputs", "2\n{}\n");
   scratchFile("kept/found/json-deep", "[[");

@@ -108,7 +108,7 @@ TEST_F(MechanismMjcf, aFreeBaseAndAJointThatFollowsAnother) {
   EXPECT_DOUBLE_EQ(robot.joints[1].servo.kp, 5);
 }
 
-TEST_F(MechanismMjcf, aServoTableBesideItCounts) {
+TEST_F(MechanismMjcf, aServoTableInTheSameFolderCounts) {
   write("arm.servo.json", R"({"joints": {"elbow": {"kp": 7, "kd": 0.3, "armature": 0.02, "max_speed": 9}}})");
   const Mechanism robot = readMechanism(write("arm.xml", arm()), [](const std::string&) {});
   EXPECT_DOUBLE_EQ(robot.joints[1].servo.kp, 7);

@@ -20,7 +20,7 @@
 #include "framework/GuardedMain.h"
 #include "framework/StopSignal.h"
 #include "simspark/NumberFormat.h"
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 
 namespace {
 

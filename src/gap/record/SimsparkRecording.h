@@ -5,7 +5,7 @@
 
 #include "gap/record/Excitation.h"
 #include "gap/run/Run.h"
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 
 namespace plumbline::gap {
 

@@ -1,5 +1,6 @@
 #pragma once
 #include "framework/Module.h"
+#include "motion/MotionDefaults.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/modeling/FallState.h"
 #include "representations/modeling/TorsoAngles.h"
@@ -13,10 +14,11 @@ MODULE(FallDetector)
   REQUIRES(TorsoPose)
   PROVIDES(FallState)
   PARAMETER(double, fallingTilt, 0.6, "rad", Range(0, 3.2), "an upright robot that is tilted more falls")
-  PARAMETER(double, lyingTilt, 1.05, "rad", Range(0, 3.2),
+  PARAMETER(double, lyingTilt, motion::lyingTilt, "rad", Range(0, 3.2),
             "a robot that is tilted more for lyingSeconds lies")
-  PARAMETER(double, lyingSeconds, 0.1, "s", Range(0, 10), "see lyingTilt")
-  PARAMETER(double, uprightTilt, 0.45, "rad", Range(0, 3.2), "a robot that is tilted less is up again")
+  PARAMETER(double, lyingSeconds, motion::lyingSeconds, "s", Range(0, 10), "see lyingTilt")
+  PARAMETER(double, uprightTilt, motion::uprightTilt, "rad", Range(0, 3.2),
+            "a robot that is tilted less is up again")
   PARAMETER(double, sittingHeight, 0.22, "m", Range(0, 1),
             "an upright torso that is lower for sittingSeconds sits")
   PARAMETER(double, sittingSeconds, 1, "s", Range(0, 100), "see sittingHeight")

@@ -13,8 +13,6 @@
 namespace plumbline {
 
 namespace {
-constexpr double stillTurnRate = 0.3;  // [rad/s]
-constexpr int stillCycles = 3;
 constexpr std::size_t mostBytes = 1 << 20;  // of a file
 
 /// All that motions depend on.
@@ -69,11 +67,6 @@ std::vector<motion::KeyframeMotion> readMotions(const Config& config, const Robo
   } catch (const motion::KeyframeFileError& error) {
     throw ConfigurationError(error.what());
   }
-}
-
-bool Stillness::update(const Vec3& gyro) {
-  cycles_ = gyro.norm() < stillTurnRate ? cycles_ + 1 : 0;
-  return cycles_ >= stillCycles;
 }
 
 }  // namespace plumbline

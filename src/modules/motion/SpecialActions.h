@@ -5,6 +5,7 @@
 #include "modules/motion/EditedMotion.h"
 #include "modules/motion/Motions.h"
 #include "motion/KeyframePlayer.h"
+#include "motion/Stillness.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/RobotDescription.h"
@@ -35,7 +36,7 @@ private:
 
   std::vector<motion::KeyframeMotion> motions_;
   motion::KeyframePlayer player_;
-  Stillness stillness_;
+  motion::Stillness stillness_;
   std::string robot_;
   const EditedMotion* edited_ = nullptr;
   unsigned saved_ = 0;  ///< files that an editor had written when the motions were read

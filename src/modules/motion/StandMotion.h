@@ -2,6 +2,7 @@
 #include <string>
 
 #include "framework/Module.h"
+#include "motion/MotionDefaults.h"
 #include "representations/infrastructure/RobotDescription.h"
 #include "representations/motion/StandOutput.h"
 #include "walking/parameters/WalkGaits.h"
@@ -11,7 +12,7 @@ namespace plumbline {
 MODULE(StandMotion)
   REQUIRES(RobotDescription)
   PROVIDES(StandOutput)
-  PARAMETER(double, fadeSeconds, 0.14, "s", Range(0, 2),
+  PARAMETER(double, fadeSeconds, motion::standFade, "s", Range(0, 2),
             "time in which the motion before fades into the stand")
 END_MODULE
 

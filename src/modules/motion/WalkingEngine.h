@@ -4,6 +4,7 @@
 #include <string>
 
 #include "framework/Module.h"
+#include "motion/MotionDefaults.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/RobotDescription.h"
@@ -44,7 +45,7 @@ MODULE(WalkingEngine)
   PROVIDES(WalkingEngineOutput)
   PARAMETER_GROUP(walking::WalkGaits, walk, "the walk; its values are in walking.yaml")
   PARAMETER_GROUP(WalkFitParameters, fit, "fit of the model to the robot")
-  PARAMETER(double, fadeSeconds, 0.06, "s", Range(0, 2),
+  PARAMETER(double, fadeSeconds, motion::walkFade, "s", Range(0, 2),
             "time in which the motion before fades into the walk")
 END_MODULE
 

@@ -5,6 +5,7 @@
 #include "modules/motion/Motions.h"
 #include "motion/KeyframePlayer.h"
 #include "motion/SearchedKick.h"
+#include "motion/Stillness.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/RobotDescription.h"
@@ -37,7 +38,7 @@ private:
   std::string begun_;  ///< the motion that kick_ is made of
   motion::KeyframeMotion motion_;
   motion::KeyframePlayer player_;
-  Stillness stillness_;
+  motion::Stillness stillness_;
   std::int64_t number_ = -1;
 };
 

@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 
 namespace plumbline {
 

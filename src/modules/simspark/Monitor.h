@@ -5,7 +5,7 @@
 #include "math/Pose2.h"
 #include "math/Types.h"
 #include "simspark/Connection.h"
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 #include "simspark/TrainerCommand.h"
 
 namespace plumbline {

@@ -3,8 +3,8 @@
 
 namespace plumbline {
 
-/// Names of the skills that behaviours ask for. A skill needs no entry here: its name is what its SkillOutput
-/// says.
+/// Names of the skills that behaviours here ask for, and that a situation's file may expect. Another skill
+/// needs no entry: its name is what its SkillOutput says.
 struct Skill {
   static constexpr const char* none = "";
   static constexpr const char* stand = "stand";

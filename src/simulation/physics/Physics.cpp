@@ -1,11 +1,10 @@
 #include "simulation/physics/Physics.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <stdexcept>
 #include <tuple>
 
+#include "framework/LinkedTwice.h"
 #include "simulation/physics/PhysicsEngine.h"
 
 namespace plumbline::simulation {
@@ -22,10 +21,8 @@ std::vector<PhysicsEngine>& registered() {
 PhysicsLoader::PhysicsLoader(const PhysicsEngine& engine) {
   std::vector<PhysicsEngine>& engines = registered();
   const auto place = [](const PhysicsEngine& e) { return std::tuple(e.order, std::string_view(e.name)); };
-  if (std::ranges::count(engines, std::string_view(engine.name), &PhysicsEngine::name) > 0) {
-    std::fprintf(stderr, "two physics engines with the name %s are linked into this program\n", engine.name);
-    std::exit(2);
-  }
+  if (std::ranges::count(engines, std::string_view(engine.name), &PhysicsEngine::name) > 0)
+    endLinkedTwice("physics engines", engine.name);
   engines.insert(std::ranges::upper_bound(engines, place(engine), {}, place), engine);
 }
 

@@ -1,9 +1,9 @@
 #include "simulation/referee/RuleRegistry.h"
 
 #include <algorithm>
-#include <cstdio>
-#include <cstdlib>
 #include <tuple>
+
+#include "framework/LinkedTwice.h"
 
 namespace plumbline::simulation {
 
@@ -18,10 +18,7 @@ std::vector<RuleEntry>& registered() {
 
 RuleLoader::RuleLoader(RuleEntry entry) {
   std::vector<RuleEntry>& rules = registered();
-  if (std::ranges::count(rules, entry.name, &RuleEntry::name) > 0) {
-    std::fprintf(stderr, "two rules with the name %s are linked into this program\n", entry.name.c_str());
-    std::exit(2);
-  }
+  if (std::ranges::count(rules, entry.name, &RuleEntry::name) > 0) endLinkedTwice("rules", entry.name);
   const auto place = [](const RuleEntry& rule) { return std::tie(rule.order, rule.name); };
   rules.insert(std::ranges::upper_bound(rules, place(entry), {}, place), std::move(entry));
 }

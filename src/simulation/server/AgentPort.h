@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "simspark/AgentCommand.h"
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 #include "simulation/Simulation.h"
 #include "simulation/server/Admission.h"
 #include "simulation/server/LimitedLog.h"

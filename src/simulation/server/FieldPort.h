@@ -3,7 +3,7 @@
 #include <string>
 #include <vector>
 
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 #include "simulation/Simulation.h"
 #include "simulation/server/AgentPort.h"
 #include "simulation/server/Sockets.h"

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "simspark/Ports.h"
+#include "simspark/StandardPorts.h"
 #include "simspark/TrainerCommand.h"
 #include "simulation/Simulation.h"
 #include "simulation/monitor/MonitorScene.h"

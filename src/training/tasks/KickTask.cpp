@@ -7,6 +7,7 @@
 #include "framework/ConfigurationError.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
+#include "motion/MotionDefaults.h"
 #include "training/tasks/BeforeKick.h"
 #include "training/tasks/WalkOn.h"
 
@@ -105,7 +106,7 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
     still = trial.still();
   }
   const double milliseconds = 1e3 * cycles * dt;
-  walk.begin(trial.player.angles(), WalkOn::afterKick);
+  walk.begin(trial.player.angles(), motion::walkFade);
   for (int i = 0; i < cyclesToFly; ++i, ++cycles) {
     walk.step();
     watchBall();

@@ -18,12 +18,13 @@
 namespace plumbline::training {
 namespace {
 
-constexpr double mostSeconds = 20;      // for the way to the ball
-constexpr double mostPerMetre = 2;      // and so many more for each metre of it beyond `start` [s]
-constexpr double kickedSpeed = 0.3;     // of a ball that was kicked [m/s]
-constexpr double cameraOffset = 0.005;  // at most, in every image of a run, as the league's [m]
-constexpr int cyclesAfter = 10;         // after the kick, before the ball goes on alone
-const Vec2 ballPlace(-6, 0);            // nothing stands in the way of a ball that is kicked from here [m]
+constexpr double mostSeconds = 20;        // for the way to the ball
+constexpr double mostPerMetre = 2;        // and so many more for each metre of it beyond `start` [s]
+constexpr double kickedSpeed = 0.3;       // of a ball that was kicked [m/s]
+constexpr double cameraOffset = 0.005;    // at most, in every image of a run, as the league's [m]
+constexpr int cyclesAfter = 10;           // after the kick, before the ball goes on alone
+const FootChoiceParameters footChoice{};  // as FootSelector's
+const Vec2 ballPlace(-6, 0);              // nothing stands in the way of a ball that is kicked from here [m]
 
 /// The option `searched`: the way from afar, the last metres with how exactly the robot stands, everything,
 /// or the kick's place.
@@ -69,7 +70,6 @@ struct PositioningTask::Walk {
   bool right = true;
   double seconds = 0;  ///< until the ball is kicked [s]
   bool fell = false;
-  FootChoiceParameters footChoice{};
   double there = -1;  ///< time at which the ball first lay right [s]; -1: never
   int lost = 0;       ///< times that it then did no more before the robot stood
 

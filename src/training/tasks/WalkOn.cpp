@@ -3,12 +3,12 @@
 #include <cmath>
 
 #include "math/Angle.h"
+#include "motion/MotionDefaults.h"
 
 namespace plumbline::training {
 namespace {
 
 constexpr double walkSpeed = 0.3, walkTurn = 0.5;  // [m/s, rad/s]
-constexpr double fadeToStand = 0.14;               // StandMotion's [s]
 constexpr double leaning = 30 * pi / 180;          // [rad], of the thesis's measure
 
 }  // namespace
@@ -22,7 +22,7 @@ WalkOn::WalkOn(MotionDriver& driver, double seconds, double still) : driver_(dri
 
 void WalkOn::begin(const JointArray& from, double fadeSeconds) {
   from_ = from;
-  fade_ = stands_ ? fadeToStand : fadeSeconds;
+  fade_ = stands_ ? motion::standFade : fadeSeconds;
   error_ = 0;
   cycles_ = 0;
   driver_.beginWalk();

@@ -7,8 +7,6 @@ namespace plumbline::training {
 /// with a random turn (Seekircher 2015, 3.1.1). Or it stands still instead, in a share of the runs.
 class WalkOn {
 public:
-  static constexpr double afterKick = 0.06;  ///< WalkingEngine's fade into the walk [s]
-
   /// Draws direction, turn and, where `still` is above 0, whether it stands from the driver's generator.
   explicit WalkOn(MotionDriver& driver, double seconds = 2, double still = 0);
   /// Begins at these targets and fades into the walk's [s]; 0: at once. Into the stand it fades as

@@ -6,6 +6,7 @@
 
 #include "math/Angle.h"
 #include "math/GroundPose.h"
+#include "motion/MotionDefaults.h"
 #include "training/tasks/BeforeKick.h"
 #include "training/tasks/WalkOn.h"
 
@@ -87,7 +88,7 @@ KickTries tryKick(training::ServerTrial& trial, const std::string& name, int tri
       trial.step(trial.player.angles());
       watchBall();
     }
-    result.up.push_back(walksOn(trial, training::WalkOn::afterKick, watchBall));
+    result.up.push_back(walksOn(trial, motion::walkFade, watchBall));
     Vec3 before = ball;
     for (int cycle = 1; cycle * dt < mostRolling && trial.robot.playsOn(); ++cycle) {
       trial.walkStep(Vec2::Zero(), 0, false);

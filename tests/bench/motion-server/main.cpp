@@ -14,7 +14,6 @@
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -25,6 +24,7 @@
 #include <tuple>
 
 #include "ServerTries.h"
+#include "framework/ReadFile.h"
 #include "framework/WriteFile.h"
 #include "gap/blind/BlindScore.h"
 #include "simulation/ServerFixture.h"
@@ -51,7 +51,8 @@ const char* const kickHead =
     "The height is that of the ball's centre.\n\n"
     "| type | motion | server | distance [m] | direction [deg] | height [m] | upright [%] | |\n"
     "|---|---|---|---|---|---|---|---|\n";
-constexpr int tellEvery = 10;  // tries
+constexpr int tellEvery = 10;             // tries
+constexpr std::size_t maxPage = 1 << 20;  // [bytes]
 
 double meanOf(const std::vector<double>& values) {
   return std::accumulate(values.begin(), values.end(), 0.0) / static_cast<double>(values.size());
@@ -94,9 +95,15 @@ private:
 
   bool wants(const std::string& motion) const { return wanted_.empty() || wanted_.contains(motion); }
 
-  /// Begins with the rows and figures that the page has.
+  /// Begins with the rows and figures that the page has. Throws std::runtime_error if it is of other tries.
   void keepThePage() {
-    std::ifstream page("doc/results/motion-server.md");
+    constexpr const char* path = "doc/results/motion-server.md";
+    const std::string text = std::filesystem::exists(path) ? readFile(path, maxPage) : "";
+    if (text.find(fmt::format(fmt::runtime(head), tries_, seed_)) == std::string::npos)
+      throw std::runtime_error(fmt::format(
+          "{} does not have {} tries with seeds from {} on; with MOTIONS, give its TRIES and SEED", path,
+          tries_, seed_));
+    std::istringstream page(text);
     const std::regex row(R"(\| (\d) \| (\w+) \| (\w+) \| .*)"),
         figure(R"(\| `(motion-server\..*)` \| (.*) \| (.*) \|  \|  \|  \|)");
     std::smatch found;

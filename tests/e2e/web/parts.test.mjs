@@ -15,7 +15,7 @@ test('teams exchange colours only if a name says the opposite', () => {
   assert.equal(exchanged('Blue', 'Blue2'), false);
 });
 
-test('a bone reaches from inside a box to a joint beside it', () => {
+test('a bone reaches from inside a box to a joint outside it', () => {
   const [shoulder, elbow] = bonesOf({ shape: 'box', size: [0.08, 0.07, 0.06], joints: [[-0.02, -0.01, 0], [0.10664, -0.01, 0.009]] });
   assert.equal(shoulder.length, 0); // inside already: a ball
   assert.ok(Math.abs(elbow.length - (0.10664 - 0.0336)) < 1e-9);

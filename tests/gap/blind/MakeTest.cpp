@@ -26,7 +26,7 @@ BlindMakeOptions options(const std::string& engine, const std::string& folder) {
 }
 
 // A whole set is in tests/diagnosis.
-TEST(BlindMake, AnswersAreSealedBesideTheRuns) {
+TEST(BlindMake, AnswersAreSealedNextToTheRuns) {
   const BlindMakeOptions one = options("bullet", "blind_sealed");
   const BlindSet set = makeBlind(one);
   ASSERT_EQ(set.cases.size(), 1U);

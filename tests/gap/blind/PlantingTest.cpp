@@ -56,7 +56,7 @@ TEST(Planting, aFilterOfCommandsThatMoveLinearlyIsTakenOutToo) {
   EXPECT_LT(inexactness(lines, causeOf(lines.robot, "command_lag", "Elbow", 0.03)), 0.05);
 }
 
-TEST(Planting, aFilterIsTakenOutBesideCommandsThatWereNotRead) {
+TEST(Planting, aFilterIsTakenOutWhereCommandsWereNotRead) {
   RealRecordings holes = arm();
   for (auto& run : holes.runs)
     for (std::size_t k = 50; k < run.size(); k += 7)

@@ -18,7 +18,7 @@ std::vector<double> wave(double noise, double step, std::uint64_t seed) {
   return values;
 }
 
-TEST(NoiseTest, fastNoiseIsFoundBesideMotion) { EXPECT_NEAR(fastNoise(wave(1e-3, 0, 3)), 1e-3, 1e-4); }
+TEST(NoiseTest, fastNoiseIsFoundDuringMotion) { EXPECT_NEAR(fastNoise(wave(1e-3, 0, 3)), 1e-3, 1e-4); }
 
 TEST(NoiseTest, theEncodersGridIsFoundThroughNoise) {
   const double step = 2 * M_PI / 4096;

@@ -11,7 +11,7 @@
 namespace plumbline::gap {
 namespace {
 
-TEST(EffectsTest, theContractsLibraryAndWhatTheFieldHasBesideIt) {
+TEST(EffectsTest, theContractsLibraryAndWhatElseTheFieldHas) {
   const std::vector<std::string_view> expected{
       "command_delay", "command_dropout", "servo_gain", "servo_damping", "torque_limit", "speed_limit",
       "coulomb_friction", "viscous_friction", "stribeck_friction", "load_friction", "backlash",

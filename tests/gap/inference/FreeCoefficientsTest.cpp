@@ -44,7 +44,7 @@ TEST(FreeCoefficients, ofALongCellSomeSamplesStandForAll) {
   }
 }
 
-TEST(FreeCoefficients, countForWhatTheyAreWorthBesideASet) {
+TEST(FreeCoefficients, countForWhatTheyAreWorthWithASet) {
   const Mechanism arm = twoJointArm();
   const Explanation truth{causeOf(arm, "coulomb_friction", "shoulder", 0.15)};
   const Groups groups(recordings(truth, 4));

@@ -55,7 +55,7 @@ TEST_F(LinearResidualsTest, theFitFindsTheStrengths) {
   EXPECT_NEAR(x[1], -2, 0.15);
 }
 
-TEST_F(LinearResidualsTest, aStrengthStaysWithinItsBoundsAndTheOtherIsFittedBesideIt) {
+TEST_F(LinearResidualsTest, aStrengthStaysWithinItsBoundsAndTheOtherIsFittedWithIt) {
   kinds[2].lower = -1;
   const Eigen::VectorXd x = linear({1.5, 0, -2}).fit({0, 2});
   EXPECT_EQ(x[1], -1);
@@ -84,7 +84,7 @@ TEST_F(LinearResidualsTest, aGroupLeftOutHasNoSayInItsStrengths) {
   EXPECT_LT(scored.density[2], scored.density[0] - 10);
 }
 
-TEST_F(LinearResidualsTest, proposesWhatGainsMostBesideASet) {
+TEST_F(LinearResidualsTest, proposesWhatGainsMostWithASet) {
   const LinearResiduals of = linear({1.5, 0, -2});
   const StrengthSet none, one{{2}, Eigen::VectorXd::Constant(1, -2)};
   EXPECT_EQ(of.proposals(none, 1), std::vector<std::size_t>{2});

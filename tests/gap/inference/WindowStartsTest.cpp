@@ -43,7 +43,7 @@ TEST(WindowStarts, theErrorOfAStateIsThatOfAFitToNoise) {
   EXPECT_NEAR(std::sqrt(state.covariance(1, 1)), 1e-3 / (0.01 * std::sqrt(28.0)), 1e-6);
 }
 
-TEST(WindowStarts, besideAGapNothingIsKnown) {
+TEST(WindowStarts, nextToAGapNothingIsKnown) {
   Trial trial = parabola();
   for (std::size_t k = 97; k < 104; ++k)
     trial.signals[0].values[k] = std::numeric_limits<double>::quiet_NaN();

@@ -159,7 +159,7 @@ TEST_F(CommandPathTest, aLineGoesOverALostCommandToTheNext) {
   EXPECT_NEAR(path.over(0, 0.02), 0.1, 1e-12);
 }
 
-TEST_F(CommandPathTest, speedsAndTorquesSentBesideAreThoseOfTheLastCycle) {
+TEST_F(CommandPathTest, speedsAndTorquesSentWithPositionsAreThoseOfTheLastCycle) {
   trial.commandSpeed.resize(2);
   trial.commandTorque = {std::vector<double>(10, 0.0), {}};
   for (std::size_t k = 5; k < 10; ++k) trial.commandTorque[0][k] = 0.7;

@@ -77,7 +77,7 @@ TEST(ServoLawTest, encoderShowsItsError) {
   EXPECT_DOUBLE_EQ(measuredAngle(plant, 0.5), 0.4 + 0.02 * std::sin(0.4));
 }
 
-TEST(ServoLawTest, speedsAndTorquesThatAreSentBesideThePosition) {
+TEST(ServoLawTest, speedsAndTorquesThatAreSentWithThePosition) {
   const JointPlant plant = nominalPlant(twoJointArm()).joints[0];
   const auto sent = [&](double speed, double torque, double share = 1) {
     return servoLine(plant, 0.1, share, 0, 0.02, 0.5, 1, 1, speed, torque).at(0.02, 0.5);

@@ -68,7 +68,7 @@ TEST(SmallFactor, looksAtTheLowerTriangleAlone) {
   EXPECT_EQ(x, y);
 }
 
-TEST(SmallFactor, aColumnIsSolvedTheSameBesideOthers) {
+TEST(SmallFactor, aColumnIsSolvedTheSameWithOthers) {
   SmallFactor factor;
   factor.compute(matrixOf(6));
   SmallFactor::Rows columns = 0.5 * Eigen::MatrixXd::Identity(6, 6);

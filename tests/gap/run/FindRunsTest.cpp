@@ -24,7 +24,7 @@ TEST(FindRuns, runsSevenFoldersBelowAreFoundAndDeeperOnesAreNot) {
   EXPECT_EQ(findRuns(root.string()), std::vector<std::string>{(root / "1/2/3/4/5/6/7").string()});
 }
 
-TEST(FindRuns, runsBesideAFolderThatIsTooDeepAreFound) {
+TEST(FindRuns, runsNextToAFolderThatIsTooDeepAreFound) {
   const test::ScratchFolder scratch;
   const fs::path root = scratch.path();
   std::vector<std::string> expected;

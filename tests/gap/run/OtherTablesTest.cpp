@@ -63,7 +63,7 @@ TEST_F(OtherTables, jsonLinesByTheirPaths) {
   EXPECT_EQ(column(table, "late")[1], 5);
 }
 
-TEST_F(OtherTables, listsThatAreNamedBesideThem) {
+TEST_F(OtherTables, listsWithNamesInTheSameTable) {
   const std::string line =
       R"({"t": 0, "state": {"name": ["a", "b"], "position": [1, 2], "more": [1, 2, 3]}})";
   const Table table = readRecording(write("log.ndjson", line + "\n" + line + "\n"), {});

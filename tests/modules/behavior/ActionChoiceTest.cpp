@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "framework/ConfigFile.h"
 #include "support/Robots.h"
 #include "support/SituationHarness.h"
 
@@ -113,7 +114,7 @@ TEST_F(ActionChoiceTest, withAnOpponentAtTheBallItIsPushedAtOnce) {
   EXPECT_EQ(choose().kind, Kind::kick);
 }
 
-TEST_F(ActionChoiceTest, anOpponentBesideTheWayStepsIntoIt) {
+TEST_F(ActionChoiceTest, anOpponentNearTheWayStepsIntoIt) {
   // 3.9 m ahead the ball comes after more than a second, in which the opponent comes 0.25 m/s nearer.
   add(false, {3.9, 0.5});
   EXPECT_NEAR(judge(Kind::kick, 0).end.x(), 3.9, 1e-12);

@@ -48,7 +48,7 @@ TEST_F(GoalieTest, standsFartherOutTheFartherTheBall) {
   EXPECT_NEAR(with({-12, 0}).target.x(), -14.5, 1e-9);
 }
 
-TEST_F(GoalieTest, neverStandsBehindTheLineOrBesideTheGoal) {
+TEST_F(GoalieTest, neverStandsBehindTheLineOrOutsideTheGoal) {
   for (double x = -15.2; x < 15; x += 0.4)
     for (double y = -10; y < 10; y += 0.5) {
       const Vec2 place = with({x, y}).target.position;

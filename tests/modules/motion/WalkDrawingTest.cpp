@@ -39,7 +39,7 @@ TEST_F(WalkDrawingTest, plannedStepsGoOnInTurnAndForward) {
   }
 }
 
-TEST_F(WalkDrawingTest, stepsOnTheSpotStandBesideEachOther) {
+TEST_F(WalkDrawingTest, stepsOnTheSpotAreDrawnNextToEachOther) {
   walk(0, 2);
   drawPlannedSteps(drawing, engine, 2);
   ASSERT_EQ(drawing.shapes().size(), 10u);

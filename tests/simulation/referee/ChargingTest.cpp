@@ -24,7 +24,7 @@ protected:
   }
 };
 
-TEST_F(Charging, whoRunsIntoAnOpponentIsPutBesideTheField) {
+TEST_F(Charging, whoRunsIntoAnOpponentIsPutOffTheField) {
   playOn();
   collide();
   expectFoul(5);

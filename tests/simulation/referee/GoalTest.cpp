@@ -47,7 +47,7 @@ struct Miss {
   const char* why;
 };
 
-TEST_F(Goal, besideOrAboveTheGoalIsNone) {
+TEST_F(Goal, outsideOrAboveTheGoalIsNone) {
   for (const Miss& miss : {Miss{Vec3(14.9, 1.2, 0.1), Vec3(15.1, 1.2, 0.1), "beside"},
                            Miss{Vec3(14.9, 0, 0.9), Vec3(15.02, 0, 0.85), "above the bar"},
                            Miss{Vec3(15.2, 1.3, 0.1), Vec3(15.7, 1, 0.1), "from outside, behind the net"}}) {

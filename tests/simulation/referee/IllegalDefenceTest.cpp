@@ -82,7 +82,7 @@ TEST_F(IllegalDefenceOff, allMayDefendIfTheRuleIsOff) {
   EXPECT_EQ(fouls(), Fouls{});
 }
 
-TEST_F(IllegalDefenceOff, theRuleMayPutThemBesideTheField) {
+TEST_F(IllegalDefenceOff, theRuleMayPutThemOffTheField) {
   rules.illegalDefence.putOutside = true;
   ball(5, 1);
   playOn();

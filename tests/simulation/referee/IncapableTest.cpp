@@ -12,7 +12,7 @@ protected:
   Incapable() { ball(0, 4); }
 };
 
-TEST_F(Incapable, whoLiesTooLongIsPutBesideTheField) {
+TEST_F(Incapable, whoLiesTooLongIsPutOffTheField) {
   put(player, -5, 2, 0.1);
   playOn();
   pass(14.98);
@@ -88,7 +88,7 @@ TEST_F(Incapable, theGoalieHasTwiceTheTime) {
   EXPECT_GT(moves(goalie), before);
 }
 
-TEST_F(Incapable, besideTheFieldNobodyHasToStand) {
+TEST_F(Incapable, offTheFieldNobodyHasToStand) {
   put(player, -5, 10.2, 0.1);
   playOn();
   pass(20);

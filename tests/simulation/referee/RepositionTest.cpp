@@ -17,7 +17,7 @@ protected:
   }
 };
 
-TEST_F(Reposition, placesBesideTheField) {
+TEST_F(Reposition, placesOffTheField) {
   EXPECT_EQ(outsidePlace({}, Vec3(0, 1, 0), left, 2), Vec3(-3, -10.5, 1));
   EXPECT_EQ(outsidePlace({}, Vec3(0, -1, 0), left, 7), Vec3(0, 10.5, 1));
   EXPECT_EQ(outsidePlace({}, Vec3(0, -1, 0), right, 11), Vec3(0.6 * -4, 10.5, 1));

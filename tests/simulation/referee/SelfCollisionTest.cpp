@@ -98,7 +98,7 @@ TEST_F(SelfCollision, isNoFoulIfTheRuleIsOff) {
   EXPECT_TRUE(player.frozen.none());
 }
 
-TEST_F(SelfCollision, theRuleMayPutThemBesideTheFieldInstead) {
+TEST_F(SelfCollision, theRuleMayPutThemOffTheFieldInstead) {
   rules.of<simulation::SelfCollision>().putOutside = true;
   playOn();
   armIntoTorso();

@@ -99,7 +99,7 @@ TEST_F(Touching, isNoFoulWhileTheGameStandsNorIfTheRuleIsOff) {
   EXPECT_EQ(fouls(), Fouls{});
 }
 
-TEST_F(Touching, theRuleMayPutThemBesideTheField) {
+TEST_F(Touching, theRuleMayPutThemOffTheField) {
   rules.of<simulation::Touching>().putOutside = true;
   playOn();
   put(d, 5, 5);

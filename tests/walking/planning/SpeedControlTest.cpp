@@ -104,7 +104,7 @@ TEST_F(SpeedControlTest, aTenthOfASecondAfterItsBeginningTwoThirdsOfABrakingAreS
   EXPECT_NEAR(speed.braking(), -0.65, 0.06);
 }
 
-TEST_F(SpeedControlTest, littleElseIsWalkedBesideASprint) {
+TEST_F(SpeedControlTest, littleElseIsWalkedDuringASprint) {
   ask(9, 0, 0, 2);
   ask(1, 0.03, 0.3, 1);
   EXPECT_TRUE(speed.sprinting());

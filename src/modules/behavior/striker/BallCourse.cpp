@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "math/NormalDistribution.h"
+#include "modules/behavior/striker/KickFlight.h"
 #include "tactics/RollingBall.h"
 
 namespace plumbline {
@@ -37,14 +38,13 @@ double firstOf(const std::vector<MovingRobot>& robots, const Vec2& place, const 
 BallCourses::BallCourses(const StrikerSituation& situation, const FieldValue& value,
                          const TimeToBallParameters& time, const ActionChoiceParameters& parameters)
     : situation_(situation), value_(value), time_(time), parameters_(parameters) {
-  alone_ = situation.others.empty();
-  if (alone_) timeToGoal_.emplace(situation, time, parameters);
+  if (situation.others.empty()) timeToGoal_.emplace(situation, time, parameters);
   opponentSeconds_ = opponentAtBall();
   lost_ = worth(situation.ball, -1);
 }
 
 double BallCourses::worth(const Vec2& place, double advantage) const {
-  if (!alone_) return value_.at({place, advantage});
+  if (!timeToGoal_) return value_.at({place, advantage});
   const double ahead = std::max(situation_.halfLength - place.x(), 0.05), y = std::abs(place.y());
   const double opening =
       std::atan((y + situation_.goalHalfWidth) / ahead) - std::atan((y - situation_.goalHalfWidth) / ahead);
@@ -53,7 +53,7 @@ double BallCourses::worth(const Vec2& place, double advantage) const {
 }
 
 double BallCourses::worthOfOut(const Vec2& end, bool overTheirLine) const {
-  if (alone_) return worth(end, 0) - secondsOfRestart / aloneSeconds;
+  if (timeToGoal_) return worth(end, 0) - TimeToGoal::restartSeconds / aloneSeconds;
   const double x = overTheirLine ? situation_.halfLength - parameters_.goalKickWay : end.x();
   return value_.at({Vec2(x, overTheirLine ? 0.5 * end.y() : end.y()), -1});
 }

@@ -8,9 +8,6 @@
 
 namespace plumbline {
 
-inline constexpr double flyingShare = 0.6;      ///< of its way over which a kick flies
-inline constexpr double secondsOfRestart = 15;  ///< until a ball that went out is laid down and in play [s]
-
 /// How a ball is played: a kick, or a dribble, which takes the robot along.
 struct BallPlay {
   KickEffect kick;
@@ -46,7 +43,7 @@ public:
   /// When the first opponent is at the ball [s].
   double opponentSeconds() const { return opponentSeconds_; }
   /// Value of a second: without others the one measure is when the goal falls.
-  double timePrice() const { return alone_ ? 1 / aloneSeconds : parameters_.timePrice; }
+  double timePrice() const { return timeToGoal_ ? 1 / aloneSeconds : parameters_.timePrice; }
 
 private:
   static constexpr double aloneSeconds = 60;  ///< from the own goal to a goal, about
@@ -62,8 +59,7 @@ private:
   const FieldValue& value_;
   const TimeToBallParameters& time_;
   const ActionChoiceParameters& parameters_;
-  bool alone_ = true;
-  std::optional<TimeToGoal> timeToGoal_{};  ///< without others
+  std::optional<TimeToGoal> timeToGoal_{};  ///< of a robot that is alone
   double lost_ = 0, opponentSeconds_ = 0;
 };
 

@@ -11,6 +11,8 @@ namespace plumbline {
 /// shot may be sooner than the other way round.
 class TimeToGoal {
 public:
+  static constexpr double restartSeconds = 15;  ///< until a ball that went out is laid down and in play [s]
+
   TimeToGoal(const StrikerSituation& situation, const TimeToBallParameters& time,
              const ActionChoiceParameters& parameters);
 
@@ -20,9 +22,5 @@ public:
 private:
   std::vector<double> seconds_;  ///< by steps of distance
 };
-
-/// The probability that a kick is below the goal's bar at a share of its flight; its height has a standard
-/// deviation of a third.
-double shareUnderBar(const StrikerSituation& situation, double share, double rise);
 
 }  // namespace plumbline
