@@ -124,8 +124,10 @@ function(plumbline_precompile target kind)
   endif()
 endfunction()
 
-# plumbline_library(NAME [REGISTERS] [USES folder...] [EXTERNALS name...]): the calling folder of src/ as the
-# library plumbline::NAME. REGISTERS: files here register what they hold, so all of them are linked, needed by name or not.
+# plumbline_library(NAME [REGISTERS] [USES folder...] [EXTERNALS name...] [WHERE_INSTALLED name...]): the calling folder of src/
+# as the library plumbline::NAME. REGISTERS: files here register what they hold, so all of them are linked, needed by name or
+# not. WHERE_INSTALLED: the folder of that name is left out where the library is missing; PLUMBLINE_LEFT_OUT is then "name
+# package ...".
 function(plumbline_library name)
   cmake_parse_arguments(PARSE_ARGV 1 arg "REGISTERS" "" "USES;EXTERNALS;WHERE_INSTALLED")
   if(arg_UNPARSED_ARGUMENTS)
@@ -138,6 +140,8 @@ function(plumbline_library name)
       list(APPEND arg_EXTERNALS ${used})
     else()
       list(FILTER sources EXCLUDE REGEX "/${used}/")
+      get_property(package GLOBAL PROPERTY PLUMBLINE_PACKAGE_OF_${used})
+      string(APPEND left_out "${used} ${package} ")
     endif()
   endforeach()
   plumbline_extra_sources(${name} extra)
@@ -155,6 +159,9 @@ function(plumbline_library name)
     plumbline_precompile(${files} src)
     plumbline_bundle_size(${name} size)
     plumbline_bundle(${files} ${size} "${sources}")
+  endif()
+  if(arg_WHERE_INSTALLED)
+    target_compile_definitions(${files} PRIVATE "PLUMBLINE_LEFT_OUT=\"${left_out}\"")
   endif()
   target_include_directories(${files} ${kind}
     $<BUILD_INTERFACE:${PROJECT_SOURCE_DIR}/src> $<BUILD_INTERFACE:${PROJECT_BINARY_DIR}/generated/src>

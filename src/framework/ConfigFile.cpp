@@ -93,16 +93,17 @@ void ConfigFile::checkUnknown() const {
 
 void ConfigFile::takeOver(const ConfigFile& before) const { takeOverMarks(*before.node_, *node_); }
 
-thread_local ConfigStore::Trial* ConfigStore::trial = nullptr;
+thread_local ConfigStore::ChangedFile* ConfigStore::changed = nullptr;
 
-ConfigStore::Trial::Trial(ConfigStore& store, const std::string& name) : store_(store), name_(name) {
+ConfigStore::ChangedFile::ChangedFile(ConfigStore& store, const std::string& name)
+    : store_(store), name_(name) {
   if (store.exists(name)) file_.emplace(name, ConfigFile(name, store.directories_));
-  trial = this;
+  changed = this;
 }
 
-ConfigStore::Trial::~Trial() { trial = nullptr; }
+ConfigStore::ChangedFile::~ChangedFile() { changed = nullptr; }
 
-void ConfigStore::Trial::checkUnknown() const {
+void ConfigStore::ChangedFile::checkUnknown() const {
   if (file_.empty()) return;
   const ConfigFile& now = file_.begin()->second;
   {
@@ -113,7 +114,7 @@ void ConfigStore::Trial::checkUnknown() const {
   now.checkUnknown();
 }
 
-void ConfigStore::Trial::keep() {
+void ConfigStore::ChangedFile::keep() {
   const std::lock_guard lock(store_.mutex_);
   // Files move with their addresses: who holds a part of one keeps it.
   if (auto old = store_.files_.extract(name_)) store_.retired_.push_back(std::move(old));
@@ -145,9 +146,9 @@ std::set<std::string> ConfigStore::filesOf(const std::string& reader) const {
 }
 
 const ConfigFile& ConfigStore::file(const std::string& name) {
-  if (trial && &trial->store_ == this && trial->name_ == name) {
-    if (trial->file_.empty()) ConfigFile gone(name, directories_);  // says where it was looked for
-    return trial->file_.at(name);
+  if (changed && &changed->store_ == this && changed->name_ == name) {
+    if (changed->file_.empty()) ConfigFile gone(name, directories_);  // says where it was looked for
+    return changed->file_.at(name);
   }
   std::lock_guard lock(mutex_);
   const auto found = files_.find(name);

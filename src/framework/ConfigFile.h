@@ -56,12 +56,12 @@ public:
 
   /// A file as it is on the disk now. While this lives, the thread that made it finds that one; kept, all
   /// do, otherwise the old one stays. Throws ConfigurationError for a file that cannot be read.
-  class Trial {
+  class ChangedFile {
   public:
-    Trial(ConfigStore& store, const std::string& name);
-    ~Trial();
-    Trial(const Trial&) = delete;
-    Trial& operator=(const Trial&) = delete;
+    ChangedFile(ConfigStore& store, const std::string& name);
+    ~ChangedFile();
+    ChangedFile(const ChangedFile&) = delete;
+    ChangedFile& operator=(const ChangedFile&) = delete;
     void checkUnknown() const;
     void keep();
 
@@ -78,7 +78,7 @@ public:
   std::vector<std::string> changedSince(std::uint64_t version) const;
 
 private:
-  static thread_local Trial* trial;
+  static thread_local ChangedFile* changed;
 
   std::vector<std::string> directories_;
   mutable std::mutex mutex_;

@@ -64,10 +64,10 @@ std::string Process::remakeReaders(const std::string& file, const std::function<
 }
 
 std::string Process::reload(const std::string& file) {
-  ConfigStore::Trial trial(config_, file);
-  const std::string done = remakeReaders(file, [&] { trial.checkUnknown(); });
+  ConfigStore::ChangedFile changed(config_, file);
+  const std::string done = remakeReaders(file, [&] { changed.checkUnknown(); });
   const bool alone = config_.version() == configVersion_;
-  trial.keep();
+  changed.keep();
   if (alone) configVersion_ = config_.version();
   return done;
 }

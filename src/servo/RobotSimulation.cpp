@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <map>
+#include <sstream>
 #include <stdexcept>
 
 #include "framework/LinkedTwice.h"
@@ -15,8 +16,13 @@ std::map<std::string, RobotSimulations::Maker>& simulationMakers() {
   return map;
 }
 
-/// Engines that are built where their library is installed, and its package.
-const std::map<std::string, std::string> optionalEngines = {{"mujoco", "libmujoco-dev"}};
+/// Engines that were left out of this program because their library was not installed, and its package.
+std::map<std::string, std::string> enginesLeftOut() {
+  std::map<std::string, std::string> result;
+  std::istringstream words(PLUMBLINE_LEFT_OUT);
+  for (std::string engine, package; words >> engine >> package;) result[engine] = package;
+  return result;
+}
 
 }  // namespace
 
@@ -51,11 +57,11 @@ void RobotSimulations::require(const std::string& engine, const std::vector<std:
   if (std::ranges::find(known, engine) != known.end()) return;
   std::string list;
   for (const std::string& name : known) list += (list.empty() ? "" : ", ") + name;
-  if (const auto found = optionalEngines.find(engine); found != optionalEngines.end())
+  const std::map<std::string, std::string> leftOut = enginesLeftOut();
+  if (const auto found = leftOut.find(engine); found != leftOut.end())
     throw std::invalid_argument("engine " + engine + " is not in this program: install " + found->second +
                                 ", configure and build again; there are: " + list);
-  for (const auto& entry : optionalEngines)
-    if (!simulationMakers().contains(entry.first)) known.push_back(entry.first);
+  for (const auto& entry : leftOut) known.push_back(entry.first);
   const std::string nearest = suggestion(engine, known);
   throw std::invalid_argument("there is no engine " + engine +
                               (nearest.empty() ? "; there are: " + list : nearest));

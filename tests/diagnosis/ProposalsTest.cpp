@@ -31,8 +31,8 @@ protected:
     fine->setBase({});
     proposals = std::make_unique<Proposals>(*fine, *coarse, options);
   }
-  static bool has(const std::vector<Candidate>& list, const char* id) {
-    return std::ranges::any_of(list, [&](const Candidate& c) { return c.cause.effect->id == id; });
+  static bool has(const std::vector<FittedCause>& list, const char* id) {
+    return std::ranges::any_of(list, [&](const FittedCause& c) { return c.cause.effect->id == id; });
   }
 
   const Mechanism arm = twoJointArm();
@@ -44,14 +44,14 @@ protected:
 TEST_F(ProposalsTest, theMostProbableFirst) {
   const Evidence evidence = recordedWith({causeOfArm("viscous_friction", "elbow", 0.2)}, 0);
   look(evidence);
-  const std::vector<Candidate> all = proposals->find({.stage = "first"});
+  const std::vector<FittedCause> all = proposals->find({.stage = "first"});
   ASSERT_GT(all.size(), 5u);
   EXPECT_EQ(all[0].cause.effect->id, "viscous_friction");
   EXPECT_EQ(all[0].cause.place.at, "elbow");
   EXPECT_NEAR(all[0].cause.value, 0.2, 0.01);
   for (std::size_t i = 1; i < all.size(); ++i) EXPECT_LE(all[i - 1].fit.judging, all[i].fit.judging) << i;
-  const std::vector<Candidate> sensors = proposals->find({.stage = "first", .onlySensors = true});
-  for (const Candidate& candidate : sensors) EXPECT_TRUE(ofSensor(candidate.cause));
+  const std::vector<FittedCause> sensors = proposals->find({.stage = "first", .onlySensors = true});
+  for (const FittedCause& candidate : sensors) EXPECT_TRUE(ofSensor(candidate.cause));
   EXPECT_LT(sensors.size(), all.size());
 }
 
@@ -64,7 +64,7 @@ TEST_F(ProposalsTest, lostCommandsWhereTheyAreAskedFor) {
   EXPECT_FALSE(
       has(proposals->find({.stage = "first", .lostCommands = false, .memory = &memory}), "command_dropout"));
   EXPECT_EQ(memory.size(), 0u) << "a narrower look must not pass for the whole";
-  const std::vector<Candidate> all = proposals->find({.stage = "first", .memory = &memory});
+  const std::vector<FittedCause> all = proposals->find({.stage = "first", .memory = &memory});
   ASSERT_FALSE(all.empty());
   EXPECT_EQ(all[0].cause.effect->id, "command_dropout");
   EXPECT_NEAR(all[0].cause.value, 0.15, 0.05);

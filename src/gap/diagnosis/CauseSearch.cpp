@@ -93,7 +93,7 @@ TrialMask showing(const Evaluator& evaluator, const Cause& cause, TrialMask mask
 bool oneStart(const Cause& a, const Cause& b) { return a.sameKind(b) && a.variant == b.variant; }
 
 /// A candidate with the value that its first look was at.
-struct Lead : Candidate {
+struct Lead : FittedCause {
   Cause start;
 };
 
@@ -108,7 +108,7 @@ public:
         fixedBaseTells_(fixedBaseDecides(fine)),
         underLoad_(fine) {}
 
-  std::vector<Candidate> run(const std::vector<Cause>& causes) {
+  std::vector<FittedCause> run(const std::vector<Cause>& causes) {
     firstLook(withOnsets(causes));
     bestStarts();
     secondLook();
@@ -116,18 +116,20 @@ public:
     polish();
     const double before = fine_.baseFit().fitting;
     double most = 0;
-    for (const Candidate& c : chosen_) most = std::max(most, before - c.fit.fitting);
-    std::erase_if(chosen_, [&](const Candidate& c) {
+    for (const FittedCause& c : chosen_) most = std::max(most, before - c.fit.fitting);
+    std::erase_if(chosen_, [&](const FittedCause& c) {
       const double gain = before - c.fit.fitting;
       // A limit on a DC motor, which has none, changes the motion by its presence, however small it is.
       return gain <= 0 || (doesNothing(fine_.mechanism(), c.cause) && gain < minGainShare * most);
     });
-    std::stable_sort(chosen_.begin(), chosen_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; });
+    std::stable_sort(chosen_.begin(), chosen_.end(), [](const FittedCause& a, const FittedCause& b) {
+      return a.fit.judging < b.fit.judging;
+    });
     // Keeps the better variant of each kind.
-    std::vector<Candidate> result;
+    std::vector<FittedCause> result;
     for (Lead& candidate : chosen_)
-      if (std::ranges::none_of(result, [&](const Candidate& c) { return c.cause.sameKind(candidate.cause); }))
+      if (std::ranges::none_of(result,
+                               [&](const FittedCause& c) { return c.cause.sameKind(candidate.cause); }))
         result.push_back(std::move(candidate));
     return result;
   }
@@ -213,14 +215,14 @@ private:
   /// do not compare with the rest yet: the best candidates from them are kept too.
   void bestStarts() {
     std::stable_sort(looked_.begin(), looked_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
+                     [](const FittedCause& a, const FittedCause& b) { return a.screened > b.screened; });
     std::size_t onlyFixedBase = 0;
     for (const Lead& candidate : looked_) {
       if (chosen_.size() >= maxSecondLooks || candidate.screened <= 0) break;
       const bool onFixedBase = !fixedBaseTells_ && !bodyOnly(fine_, candidate.cause);
       if (onFixedBase && onlyFixedBase >= maxFixedBaseOnly) continue;
       const auto below = [](const Cause& cause) { return cause.value < cause.effect->nominal; };
-      const bool known = std::ranges::any_of(chosen_, [&](const Candidate& c) {
+      const bool known = std::ranges::any_of(chosen_, [&](const FittedCause& c) {
         return oneStart(c.cause, candidate.cause) && below(c.cause) == below(candidate.cause);
       });
       if (known) continue;
@@ -251,7 +253,7 @@ private:
         look(scaled(fine_.mechanism(), lead.start, std::pow(way, part)));
     });
     std::stable_sort(chosen_.begin(), chosen_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.screened > b.screened; });
+                     [](const FittedCause& a, const FittedCause& b) { return a.screened > b.screened; });
     std::erase_if(chosen_, [&](const Lead& lead) { return lead.screened < options_.leastGain; });
     while (!chosen_.empty() && (chosen_.size() > options_.refine ||
                                 chosen_.back().screened <= refineShare * chosen_.front().screened ||
@@ -268,13 +270,13 @@ private:
       Lead& candidate = chosen_[i];
       const TrialMask mask = tellingOf(candidate.cause), all = everyOf(candidate.cause);
       const Cause first = candidate.cause;
-      const Candidate fitted = fitValue(coarse_, first, mask, roughly);
+      const FittedCause fitted = fitValue(coarse_, first, mask, roughly);
       candidate.cause = fitted.cause;
       candidate.fit = fine_.with(candidate.cause, all);
       // Where the gain ends abruptly beyond the best value, coarse steps place that end elsewhere.
       if (fine_.baseFit().fitting - candidate.fit.fitting <
           minKeptShare * (coarse_.baseFit().fitting - fitted.fit.fitting)) {
-        const Candidate again = fitValue(fine_, first, mask, roughly);
+        const FittedCause again = fitValue(fine_, first, mask, roughly);
         Fit fit = fine_.with(again.cause, all);
         if (fit.fitting < candidate.fit.fitting)
           candidate.cause = again.cause, candidate.fit = std::move(fit);
@@ -286,8 +288,9 @@ private:
   /// Fine steps for those that may turn out the best. Runs on a floating base cost much: the value is
   /// fitted on those that show most, then judged on all.
   void polish() {
-    std::stable_sort(chosen_.begin(), chosen_.end(),
-                     [](const Candidate& a, const Candidate& b) { return a.fit.fitting < b.fit.fitting; });
+    std::stable_sort(chosen_.begin(), chosen_.end(), [](const FittedCause& a, const FittedCause& b) {
+      return a.fit.fitting < b.fit.fitting;
+    });
     const double base = fine_.baseFit().fitting;
     std::size_t rivals = 0;
     while (rivals < chosen_.size() &&
@@ -300,10 +303,11 @@ private:
       TrialMask fitted = all;
       for (std::size_t t = 0; t < fitted.size(); ++t)
         if (fine_.evidence().trials()[t].freeBase) fitted[t] = all[t] && telling_[t];
-      Candidate better = fitValue(fine_, candidate.cause, fitted, finely);
+      FittedCause better = fitValue(fine_, candidate.cause, fitted, finely);
       if (fitted != all) better.fit = fine_.with(better.cause, all);
       better.screened = candidate.screened;
-      if (better.fit.fitting < candidate.fit.fitting) static_cast<Candidate&>(candidate) = std::move(better);
+      if (better.fit.fitting < candidate.fit.fitting)
+        static_cast<FittedCause&>(candidate) = std::move(better);
       report();
     });
   }
@@ -330,8 +334,8 @@ private:
 
 }  // namespace
 
-std::vector<Candidate> search(const Evaluator& evaluator, const Evaluator& coarse,
-                              const std::vector<Cause>& causes, const SearchOptions& options) {
+std::vector<FittedCause> search(const Evaluator& evaluator, const Evaluator& coarse,
+                                const std::vector<Cause>& causes, const SearchOptions& options) {
   return Searcher(evaluator, coarse, options).run(causes);
 }
 

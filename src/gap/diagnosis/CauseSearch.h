@@ -26,7 +26,7 @@ inline ReplayOptions coarseSteps() {
 /// roughly, then finely if they are close to the best. Sorted by the sum of squares on the blocks for
 /// judging, best first. causes: the list to try (see possibleCauses); coarse: an evaluator with the same base
 /// and coarseSteps().
-std::vector<Candidate> search(const Evaluator& evaluator, const Evaluator& coarse,
-                              const std::vector<Cause>& causes, const SearchOptions& options);
+std::vector<FittedCause> search(const Evaluator& evaluator, const Evaluator& coarse,
+                                const std::vector<Cause>& causes, const SearchOptions& options);
 
 }  // namespace plumbline::gap

@@ -58,7 +58,7 @@ std::vector<std::string> changed(const Evaluator& evaluator, const Explanation& 
 }
 
 /// The cause, inactive in recordings that it makes far worse; active in all if it makes none far better.
-Candidate setInSome(const Evaluator& nominal, Cause cause) {
+FittedCause setInSome(const Evaluator& nominal, Cause cause) {
   const Evidence& data = nominal.evidence();
   cause.inactiveIn.clear();
   Fit fit = nominal.with(cause);
@@ -111,17 +111,19 @@ Explanation inactiveWhereNotSet(const Evaluator& evaluator, int jobs) {
 Explanation configurationOfSome(const Evaluator& nominal, int jobs) {
   std::vector<Cause> starts = possibleCauses(nominal);
   std::erase_if(starts, [](const Cause& cause) { return !cause.effect->setting; });
-  std::vector<Candidate> tried(starts.size());
+  std::vector<FittedCause> tried(starts.size());
   parallel(starts.size(), jobs, [&](std::size_t i) { tried[i] = setInSome(nominal, starts[i]); });
-  std::erase_if(tried, [](const Candidate& candidate) { return candidate.cause.inactiveIn.empty(); });
-  const auto better = [](const Candidate& a, const Candidate& b) { return a.fit.judging < b.fit.judging; };
+  std::erase_if(tried, [](const FittedCause& candidate) { return candidate.cause.inactiveIn.empty(); });
+  const auto better = [](const FittedCause& a, const FittedCause& b) {
+    return a.fit.judging < b.fit.judging;
+  };
   std::ranges::stable_sort(tried, better);
   tried.resize(std::min(tried.size(), fittedStarts));
   parallel(tried.size(), jobs, [&](std::size_t i) {
     tried[i] = fitValue(nominal, tried[i].cause, {});
     tried[i] = setInSome(nominal, tried[i].cause);
   });
-  std::erase_if(tried, [](const Candidate& candidate) { return candidate.cause.inactiveIn.empty(); });
+  std::erase_if(tried, [](const FittedCause& candidate) { return candidate.cause.inactiveIn.empty(); });
   if (tried.empty()) return {};
   return {std::ranges::min_element(tried, better)->cause};
 }

@@ -77,7 +77,7 @@ public:
   }
 
 private:
-  using Candidates = std::vector<Candidate>;
+  using Candidates = std::vector<FittedCause>;
 
   /// From nothing to the set of causes that predicts best.
   void explain() {

@@ -35,7 +35,7 @@ void addChance(const Evaluator& fine, Finding& finding) {
 
 }  // namespace
 
-Finding findingOf(std::size_t i, const Explanation& found, const std::vector<Candidate>& choices,
+Finding findingOf(std::size_t i, const Explanation& found, const std::vector<FittedCause>& choices,
                   Evaluator& fine, const GapMeter& meter, const Diagnosis& result) {
   Finding finding;
   finding.cause = found[i];

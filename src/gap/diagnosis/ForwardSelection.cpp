@@ -27,8 +27,8 @@ void ForwardSelection::grow(double most) {
   while (causes.size() < options_.maxCauses &&
          (causes.empty() ? worstGap(fine_).size >= present : remainder().size() >= unexplained)) {
     if (causes.size() > 1 && fine_.baseFit().judging > most) break;
-    std::vector<Candidate> list = candidates(causes.empty() ? "first cause" : "further cause",
-                                             !causes.empty() && remainder().onlyOfSensors());
+    std::vector<FittedCause> list = candidates(causes.empty() ? "first cause" : "further cause",
+                                               !causes.empty() && remainder().onlyOfSensors());
     if (!accept(list)) {
       if (choices.empty()) choices.push_back(std::move(list));
       break;
@@ -36,7 +36,7 @@ void ForwardSelection::grow(double most) {
     causes = fine_.base();
     settleLosses();
     // A setting of one servo may have been assumed in all servos: its rivals are searched at the end.
-    const auto same = [&](const Candidate& c) { return c.cause.sameKind(causes.back()); };
+    const auto same = [&](const FittedCause& c) { return c.cause.sameKind(causes.back()); };
     if (std::ranges::none_of(list, same)) list.clear();
     choices.push_back(std::move(list));
   }
@@ -44,7 +44,7 @@ void ForwardSelection::grow(double most) {
 
 /// Adds each of the best candidates to the base, fits values that depend on each other together, and keeps
 /// the most probable candidate that passes the test.
-bool ForwardSelection::accept(const std::vector<Candidate>& list) {
+bool ForwardSelection::accept(const std::vector<FittedCause>& list) {
   if (list.empty()) return false;
   const AcceptanceTest before(fine_);
   const double part = leastPart();
@@ -140,7 +140,7 @@ double ForwardSelection::leastPart() const {
 }
 
 void ForwardSelection::addLostIfNothingRemains() {
-  std::vector<Candidate> lost;
+  std::vector<FittedCause> lost;
   if (causes.size() < options_.maxCauses && !remainder().mayRemain()) proposals_.addLostCommands(lost);
   if (lost.empty()) return;
   causes.push_back(lost.front().cause);
@@ -154,7 +154,7 @@ void ForwardSelection::addLostIfNothingRemains() {
   }
 }
 
-std::vector<Candidate> ForwardSelection::candidates(const std::string& stage, bool onlySensors) {
+std::vector<FittedCause> ForwardSelection::candidates(const std::string& stage, bool onlySensors) {
   return proposals_.find({.stage = stage,
                           .leastGain = leastPart() / 2 * std::max(0.0, excess(fine_)),
                           .onlySensors = onlySensors,
@@ -172,8 +172,9 @@ void ForwardSelection::lookForRivals() {
 }
 
 /// The alternatives to a cause that was chosen in another way; its value is fitted like theirs.
-std::vector<Candidate> ForwardSelection::withItself(std::vector<Candidate> list, const Cause& cause) const {
-  std::erase_if(list, [&](const Candidate& c) { return c.cause.sameKind(cause); });
+std::vector<FittedCause> ForwardSelection::withItself(std::vector<FittedCause> list,
+                                                      const Cause& cause) const {
+  std::erase_if(list, [&](const FittedCause& c) { return c.cause.sameKind(cause); });
   list.push_back(fitValue(fine_, cause, {}));
   sortByProbability(list);
   return list;

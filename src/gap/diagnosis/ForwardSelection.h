@@ -20,7 +20,7 @@ public:
   static constexpr double present = 0.9;
 
   Explanation causes;
-  std::vector<std::vector<Candidate>> choices;  ///< per cause: the alternatives, most probable first
+  std::vector<std::vector<FittedCause>> choices;  ///< per cause: the alternatives, most probable first
   double worstBefore = 0;         ///< gap beyond noise of the worst channel without any cause [its noise]
   bool onFixedBaseRuns = false;   ///< these searches are not stored for a continued diagnosis
   bool lostCommandsLast = false;  ///< they are not searched
@@ -31,20 +31,20 @@ public:
   /// Adds command dropout if nothing remains with it.
   void addLostIfNothingRemains();
   /// What could be added to the base, most probable first.
-  std::vector<Candidate> candidates(const std::string& stage, bool onlySensors = false);
+  std::vector<FittedCause> candidates(const std::string& stage, bool onlySensors = false);
   /// Finds the alternatives to causes that were chosen together.
   void lookForRivals();
   Remainder remainder() const { return {fine_, worstBefore}; }
   void clear();
 
 private:
-  bool accept(const std::vector<Candidate>& list);
+  bool accept(const std::vector<FittedCause>& list);
   void setBaseTo(const Explanation& old, const Cause& cause);
   void settleLosses();
   bool decodeLossesWith(double strength);
   bool isOneServosSetting(const Cause& cause) const;
   double leastPart() const;
-  std::vector<Candidate> withItself(std::vector<Candidate> list, const Cause& cause) const;
+  std::vector<FittedCause> withItself(std::vector<FittedCause> list, const Cause& cause) const;
 
   Evaluator& fine_;
   const DiagnosisOptions& options_;

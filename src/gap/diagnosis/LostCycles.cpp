@@ -19,9 +19,9 @@ constexpr double aboutOne = 0.3;     // cycles that a lost command is off from o
 constexpr double leastOnTime = 0.6;  // share of the losses that are one cycle late; of another cause, a third
 
 /// Which commands one run lost, cycle by cycle.
-class Listener {
+class LossesOfRun {
 public:
-  Listener(const Evidence& evidence, std::size_t t, const Explanation& causes)
+  LossesOfRun(const Evidence& evidence, std::size_t t, const Explanation& causes)
       : evidence_(evidence),
         t_(t),
         trial_(evidence.trials()[t]),
@@ -122,13 +122,13 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
   std::vector<std::size_t> found(count, 0), visible(count, 0), onTime(count, 0);
   parallel(count, jobs, [&](std::size_t t) {
     if (evidence.trials()[t].freeBase) return;
-    const Listener listener(evidence, t, causes);
-    result.cycles[t] = listener.cycles();
+    const LossesOfRun losses(evidence, t, causes);
+    result.cycles[t] = losses.cycles();
     for (std::size_t k = 0; k < result.cycles[t].size(); ++k) {
-      if (!listener.visible(k)) continue;
+      if (!losses.visible(k)) continue;
       ++visible[t];
       found[t] += result.cycles[t][k];
-      onTime[t] += result.cycles[t][k] && listener.onTime(k);
+      onTime[t] += result.cycles[t][k] && losses.onTime(k);
     }
   });
   std::size_t seen = 0, late = 0;

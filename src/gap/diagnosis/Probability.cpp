@@ -22,34 +22,35 @@ double logPrior(const Cause& cause) {
 /// come within a thousandth of each other, the engines' own difference may decide.
 double temperature(double judging, double left) { return 2 * (correlation + engineShare * judging + left); }
 
-double temperatureOf(const std::vector<Candidate>& list, double left) {
+double temperatureOf(const std::vector<FittedCause>& list, double left) {
   double best = INFINITY;
-  for (const Candidate& c : list) best = std::min(best, c.fit.judging);
+  for (const FittedCause& c : list) best = std::min(best, c.fit.judging);
   return temperature(best, left);
 }
 
-double logWeight(const Candidate& c, double temperature) {
+double logWeight(const FittedCause& c, double temperature) {
   return logPrior(c.cause) - c.fit.judging / temperature;
 }
 
 }  // namespace
 
-void sortByProbability(std::vector<Candidate>& list, double left) {
+void sortByProbability(std::vector<FittedCause>& list, double left) {
   const double t = temperatureOf(list, left);
-  std::stable_sort(list.begin(), list.end(),
-                   [t](const Candidate& a, const Candidate& b) { return logWeight(a, t) > logWeight(b, t); });
+  std::stable_sort(list.begin(), list.end(), [t](const FittedCause& a, const FittedCause& b) {
+    return logWeight(a, t) > logWeight(b, t);
+  });
 }
 
 double withPrior(const Cause& cause, double judging) {
   return judging - temperature(judging, 0) * logPrior(cause);
 }
 
-std::vector<double> probabilities(const std::vector<Candidate>& list, double left) {
+std::vector<double> probabilities(const std::vector<FittedCause>& list, double left) {
   std::vector<double> result;
   if (list.empty()) return result;
   const double t = temperatureOf(list, left), most = logWeight(list.front(), t);
   double sum = 0;
-  for (const Candidate& c : list) sum += result.emplace_back(std::exp(logWeight(c, t) - most));
+  for (const FittedCause& c : list) sum += result.emplace_back(std::exp(logWeight(c, t) - most));
   for (double& p : result) p /= sum;
   return result;
 }

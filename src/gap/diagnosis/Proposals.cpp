@@ -22,7 +22,7 @@ constexpr double coarseAdds = 0.5;    // of what is unexplained, at most, where 
 
 }  // namespace
 
-std::vector<Candidate> Proposals::find(const Look& look) {
+std::vector<FittedCause> Proposals::find(const Look& look) {
   SearchOptions search_;
   search_.jobs = options_.jobs;
   search_.leastGain = look.leastGain;
@@ -41,12 +41,12 @@ std::vector<Candidate> Proposals::find(const Look& look) {
     std::vector<Cause> possible = possibleCauses(fine_);
     if (look.onlySensors) std::erase_if(possible, [](const Cause& cause) { return !ofSensor(cause); });
     known.candidates = search(fine_, quickOn(fine_.base()), possible, search_);
-    std::erase_if(known.candidates, [](const Candidate& c) { return withinEngines(c.cause); });
+    std::erase_if(known.candidates, [](const FittedCause& c) { return withinEngines(c.cause); });
     priceLimitCycles(known.candidates);
     if (look.lostCommands && !look.onlySensors) addLostCommands(known.candidates);
     known.lostCycles = fine_.lostCycles();
     // What goes on from here has what is remembered, no more.
-    for (Candidate& candidate : known.candidates) {
+    for (FittedCause& candidate : known.candidates) {
       Fit sums;
       sums.fitting = candidate.fit.fitting;
       sums.judging = candidate.fit.judging;
@@ -60,9 +60,9 @@ std::vector<Candidate> Proposals::find(const Look& look) {
 
 /// An uncertain prediction fits more easily. So a cause that brings a limit cycle has to gain this much more
 /// than one that brings none.
-void Proposals::priceLimitCycles(std::vector<Candidate>& list) const {
+void Proposals::priceLimitCycles(std::vector<FittedCause>& list) const {
   const double before = fine_.baseFit().judging;
-  for (Candidate& candidate : list)
+  for (FittedCause& candidate : list)
     if (anyLimitCycle(plantOf(fine_.mechanism(), {candidate.cause})))
       candidate.fit.judging += limitCyclePrice * std::max(0.0, before - candidate.fit.judging);
 }
@@ -80,14 +80,14 @@ void Proposals::useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycl
   coarse_.setLostCycles(cycles);
 }
 
-void Proposals::addLostCommands(std::vector<Candidate>& list) {
+void Proposals::addLostCommands(std::vector<FittedCause>& list) {
   const auto dropout = std::ranges::find(effects(), true, &Effect::decoded);
   if (dropout == effects().end()) return;
   if (!mostDeviates(fine_) || losesCommands(fine_.base())) return;
   const LostCycles lost = findLostCycles(fine_.evidence(), fine_.base(), options_.jobs);
   if (lost.found < LostCycles::minCount) return;
   useLostCycles(lost.cycles);
-  Candidate candidate;
+  FittedCause candidate;
   candidate.cause = {*dropout, {Site::everywhere, -1, "*"}, lost.share, 0};
   candidate.fit = fine_.with(candidate.cause);
   candidate.fit.judging += lost.price;

@@ -24,9 +24,9 @@ public:
     SearchMemory* memory = nullptr;  ///< of screenings; null: none
   };
   /// Most probable first.
-  std::vector<Candidate> find(const Look& look);
+  std::vector<FittedCause> find(const Look& look);
   /// Adds command dropout with the lost cycles found, if there are any.
-  void addLostCommands(std::vector<Candidate>& list);
+  void addLostCommands(std::vector<FittedCause>& list);
   /// The evaluator for screening on top of a base: coarse steps, unless these change the ranking, as for a
   /// motor that is just too weak for its load.
   const Evaluator& quickOn(const Explanation& base);
@@ -35,7 +35,7 @@ public:
   void useLostCycles(const std::vector<std::vector<std::uint8_t>>& cycles);
 
 private:
-  void priceLimitCycles(std::vector<Candidate>& list) const;
+  void priceLimitCycles(std::vector<FittedCause>& list) const;
 
   Evaluator &fine_, &coarse_;
   const DiagnosisOptions& options_;

@@ -18,7 +18,7 @@ constexpr std::size_t mostRivals = 6;  // tried in a cause's place: each is a re
 /// The set with another cause in the place of one, or without it.
 struct Change {
   std::size_t which = 0;
-  const Candidate* instead = nullptr;  ///< null: taken out
+  const FittedCause* instead = nullptr;  ///< null: taken out
   Fit fit = {};
 
   Explanation madeTo(Explanation causes) const {
@@ -34,7 +34,7 @@ std::vector<Change> changesOf(const ForwardSelection& selection, const std::vect
   for (std::size_t i = 0; i < selection.causes.size(); ++i) {
     changes.push_back({.which = i});
     std::size_t rivals = 0;
-    for (const Candidate& choice : selection.choices[i]) {
+    for (const FittedCause& choice : selection.choices[i]) {
       const auto same = [&](const Cause& cause) { return cause.sameKind(choice.cause); };
       if (replaced[i] || rivals == mostRivals || std::ranges::any_of(selection.causes, same)) continue;
       changes.push_back({.which = i, .instead = &choice});
@@ -45,8 +45,8 @@ std::vector<Change> changesOf(const ForwardSelection& selection, const std::vect
 }
 
 /// What was tried in a cause's place, as it fits all runs, most probable first.
-std::vector<Candidate> triedInPlace(const std::vector<Change>& changes, std::size_t which) {
-  std::vector<Candidate> list;
+std::vector<FittedCause> triedInPlace(const std::vector<Change>& changes, std::size_t which) {
+  std::vector<FittedCause> list;
   for (const Change& change : changes) {
     if (change.which != which || !change.instead) continue;
     list.push_back(*change.instead);

@@ -40,7 +40,7 @@ void SearchMemory::take(const json& searches, const Mechanism& mechanism) {
     entry.start.leastGain = stored.at("least_gain");
     entry.start.lostCycles = cyclesOf(stored.at("lost_before"));
     for (const json& found : stored.at("found")) {
-      Candidate candidate;
+      FittedCause candidate;
       candidate.cause = causeOf(found.at(0), mechanism);
       candidate.fit.fitting = found.at(1);
       candidate.fit.judging = found.at(2);
@@ -72,7 +72,7 @@ json SearchMemory::content() const {
                    {"found", json::array()},
                    {"lost", entry.result.lostCycles}};
     for (const Cause& cause : entry.start.base) stored["base"].push_back(jsonOf(cause));
-    for (const Candidate& c : entry.result.candidates)
+    for (const FittedCause& c : entry.result.candidates)
       stored["found"].push_back({jsonOf(c.cause), c.fit.fitting, c.fit.judging});
     searches.push_back(std::move(stored));
   }

@@ -18,7 +18,7 @@ struct SearchStart {
 
 /// Result of one search: the candidates and their lost cycles.
 struct SearchResult {
-  std::vector<Candidate> candidates;  ///< of their fits only the sums are kept
+  std::vector<FittedCause> candidates;  ///< of their fits only the sums are kept
   std::vector<std::vector<std::uint8_t>> lostCycles;
 };
 

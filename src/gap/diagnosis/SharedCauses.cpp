@@ -28,8 +28,8 @@ std::vector<std::vector<Cause>> kindsPossible(const Evaluator& nominal) {
 }
 
 /// From the start that fits best.
-Candidate fittedAlone(const Evaluator& evaluator, const std::vector<Cause>& starts) {
-  Candidate best;
+FittedCause fittedAlone(const Evaluator& evaluator, const std::vector<Cause>& starts) {
+  FittedCause best;
   best.fit.fitting = INFINITY;
   for (const Cause& start : starts)
     if (Fit fit = evaluator.with(start); fit.fitting < best.fit.fitting) best = {start, std::move(fit), 0};
@@ -60,7 +60,7 @@ public:
   Explanation run(std::size_t maxCauses) {
     if (maxCauses < 2) return {};
     rounds_ = static_cast<double>(2 * maxCauses - 2);
-    const std::vector<Candidate> alone = ranked({});
+    const std::vector<FittedCause> alone = ranked({});
     if (alone.size() < 2) return {};
 
     std::vector<Explanation> pairs;
@@ -75,7 +75,7 @@ public:
       const std::vector<Explanation> sets = inItsVariants(best);
       parts_ = sets.size();
       for (const Explanation& set : sets) {
-        const std::vector<Candidate> further = ranked(set);
+        const std::vector<FittedCause> further = ranked(set);
         for (std::size_t i = 0; i < std::min(extendedBy, further.size()); ++i) {
           larger.push_back(set);
           larger.back().push_back(further[i].cause);
@@ -117,16 +117,16 @@ private:
   }
 
   /// Every kind that the causes do not have, fitted on top of them; the one that fits best first.
-  std::vector<Candidate> ranked(const Explanation& causes) {
+  std::vector<FittedCause> ranked(const Explanation& causes) {
     coarse_.setBase(causes);
-    std::vector<Candidate> list(kinds_.size());
+    std::vector<FittedCause> list(kinds_.size());
     each(kinds_.size(), [&](std::size_t i) {
       const auto there = [&](const Cause& cause) { return cause.sameKind(kinds_[i].front()); };
       if (std::ranges::none_of(causes, there)) list[i] = fittedAlone(coarse_, kinds_[i]);
     });
-    std::erase_if(list, [](const Candidate& candidate) { return !candidate.cause.effect; });
+    std::erase_if(list, [](const FittedCause& candidate) { return !candidate.cause.effect; });
     std::ranges::stable_sort(
-        list, [](const Candidate& a, const Candidate& b) { return a.fit.fitting < b.fit.fitting; });
+        list, [](const FittedCause& a, const FittedCause& b) { return a.fit.fitting < b.fit.fitting; });
     return list;
   }
 

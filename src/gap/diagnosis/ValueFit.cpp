@@ -96,11 +96,11 @@ Cause scaled(const Mechanism& mechanism, Cause cause, double share) {
   return cause;
 }
 
-Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMask& mask,
-                   const ValueSearch& how) {
+FittedCause fitValue(const Evaluator& evaluator, const Cause& start, const TrialMask& mask,
+                     const ValueSearch& how) {
   const Effect& effect = *start.effect;
   const double most = farthest(evaluator.mechanism(), start), strength = effect.strengthOf(start.value);
-  Candidate best;
+  FittedCause best;
   best.fit.fitting = INFINITY;
   const auto evaluate = [&](double logShare) {
     Cause cause = start;

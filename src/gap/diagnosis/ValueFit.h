@@ -4,7 +4,7 @@
 namespace plumbline::gap {
 
 /// A cause with its value fitted, on top of an evaluator's base.
-struct Candidate {
+struct FittedCause {
   Cause cause;
   Fit fit;
   double screened = 0;  ///< gain on the blocks for fitting that screening promised
@@ -24,8 +24,8 @@ inline constexpr ValueSearch roughly = {.step = 0.5, .tolerance = 0.02, .bracket
 
 /// Fits the value of a cause on the evaluator's blocks for fitting, starting from its present value.
 /// Thread-safe.
-Candidate fitValue(const Evaluator& evaluator, const Cause& start, const TrialMask& mask,
-                   const ValueSearch& how = {});
+FittedCause fitValue(const Evaluator& evaluator, const Cause& start, const TrialMask& mask,
+                     const ValueSearch& how = {});
 
 /// Fits the values of causes that move the same joints together, starting from their present values. With a
 /// fixed base it uses Gauss-Newton steps (GaussNewton.h). Causes at other joints do not interact and keep

@@ -10,7 +10,7 @@
 namespace plumbline::gap {
 namespace {
 
-std::vector<Candidate> searched(const Mechanism& arm, const Evidence& evidence) {
+std::vector<FittedCause> searched(const Mechanism& arm, const Evidence& evidence) {
   const Evaluator fine(arm, evidence), coarse(arm, evidence, coarseSteps());
   return search(fine, coarse, possibleCauses(fine), {});
 }
@@ -26,7 +26,8 @@ TEST(CauseSearchTest, aStartThatIsFarTooStrongForAJointIsWeakened) {
   elbow.servo.armature = 1e-4;
   Plant plant = nominalPlant(arm);
   plant.joints[1].servo.armature = 1.4e-4;  // the weakest start of the library adds 30e-4
-  const std::vector<Candidate> found = searched(arm, Evidence({recorded(plant, armTrial(arm, 6), 5e-4, 3)}));
+  const std::vector<FittedCause> found =
+      searched(arm, Evidence({recorded(plant, armTrial(arm, 6), 5e-4, 3)}));
   ASSERT_FALSE(found.empty());
   EXPECT_EQ(found[0].cause.effect->id, "rotor_inertia");
   EXPECT_EQ(found[0].cause.place.at, "elbow");
@@ -44,8 +45,8 @@ TEST(CauseSearchTest, looksFirstAtARunThatShowsSomethingToFit) {
   const Evidence plain(trials);
   for (std::size_t k = 0; k < trials[0].cycles(); ++k)
     if (!Evidence::forFitting(plain.block(0, k))) trials[0].signals[1].values[k] += 0.1;
-  const std::vector<Candidate> found = searched(arm, Evidence(trials, noises));
-  const auto friction = std::ranges::find_if(found, [&](const Candidate& c) {
+  const std::vector<FittedCause> found = searched(arm, Evidence(trials, noises));
+  const auto friction = std::ranges::find_if(found, [&](const FittedCause& c) {
     return c.cause.effect->id == "coulomb_friction" && c.cause.place.at == "elbow";
   });
   ASSERT_NE(friction, found.end());

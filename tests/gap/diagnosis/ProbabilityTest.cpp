@@ -7,8 +7,8 @@
 namespace plumbline::gap {
 namespace {
 
-Candidate candidate(const char* id, double judging, double value = 1) {
-  Candidate c;
+FittedCause candidate(const char* id, double judging, double value = 1) {
+  FittedCause c;
   c.cause = {findEffect(id), {}, value, 0};
   c.fit.judging = judging;
   return c;
@@ -16,7 +16,7 @@ Candidate candidate(const char* id, double judging, double value = 1) {
 
 TEST(ProbabilityTest, aSideOfNominalHasHalfOfThePrior) {
   // Friction can only be more than none; damping may be more or less.
-  std::vector<Candidate> list = {candidate("servo_damping", 0), candidate("viscous_friction", 0)};
+  std::vector<FittedCause> list = {candidate("servo_damping", 0), candidate("viscous_friction", 0)};
   sortByProbability(list);
   EXPECT_EQ(list[0].cause.effect->id, "viscous_friction");
   const std::vector<double> p = probabilities(list);
@@ -25,27 +25,29 @@ TEST(ProbabilityTest, aSideOfNominalHasHalfOfThePrior) {
 }
 
 TEST(ProbabilityTest, anAxisHasAThirdOfThePrior) {
-  std::vector<Candidate> list = {candidate("bias_force", 0), candidate("com_offset", 0)};
+  std::vector<FittedCause> list = {candidate("bias_force", 0), candidate("com_offset", 0)};
   const std::vector<double> p = probabilities(list);
   EXPECT_NEAR(p[0] / p[1], 3, 1e-9);  // both have two sides
 }
 
 TEST(ProbabilityTest, massIsRatherAddedThanTakenOff) {
-  std::vector<Candidate> list = {candidate("link_mass", 0, 0.1), candidate("link_mass", 0, -0.1)};
+  std::vector<FittedCause> list = {candidate("link_mass", 0, 0.1), candidate("link_mass", 0, -0.1)};
   const std::vector<double> p = probabilities(list);
   EXPECT_NEAR(p[0] / p[1], 4, 1e-9);
 }
 
 TEST(ProbabilityTest, whatPredictsBetterWinsByTheTemperature) {
   // 16 per nat, and 0.0014 of the sum of squares for what engines differ by.
-  std::vector<Candidate> list = {candidate("viscous_friction", 10000), candidate("coulomb_friction", 10060)};
+  std::vector<FittedCause> list = {candidate("viscous_friction", 10000),
+                                   candidate("coulomb_friction", 10060)};
   const std::vector<double> p = probabilities(list);
   EXPECT_NEAR(std::log(p[0] / p[1]), 60 / (16 + 0.0014 * 10000), 1e-9);
   EXPECT_TRUE(probabilities({}).empty());
 }
 
 TEST(ProbabilityTest, whatNoCauseExplainsMayBeWhatOneExplainsBetter) {
-  std::vector<Candidate> list = {candidate("viscous_friction", 10000), candidate("coulomb_friction", 10060)};
+  std::vector<FittedCause> list = {candidate("viscous_friction", 10000),
+                                   candidate("coulomb_friction", 10060)};
   const std::vector<double> p = probabilities(list, 300);
   EXPECT_NEAR(std::log(p[0] / p[1]), 60 / (16 + 0.0014 * 10000 + 2 * 300), 1e-9);
   // A force in any direction against an offset: 200 squares count for less than the prior of three.
@@ -58,7 +60,8 @@ TEST(ProbabilityTest, whatNoCauseExplainsMayBeWhatOneExplainsBetter) {
 
 TEST(ProbabilityTest, aPriorInSquares) {
   // A force in one of three directions and either way has a sixth, dry friction has all of it.
-  const Candidate force = candidate("external_force", 10000), friction = candidate("coulomb_friction", 10000);
+  const FittedCause force = candidate("external_force", 10000),
+                    friction = candidate("coulomb_friction", 10000);
   EXPECT_DOUBLE_EQ(withPrior(friction.cause, 10000), 10000);
   EXPECT_NEAR(withPrior(force.cause, 10000), 10000 + (16 + 0.0014 * 10000) * std::log(6), 1e-9);
 }

@@ -25,8 +25,8 @@ struct PruneHarmfulTest : ::testing::Test {
     fine.setBase(causes);
     return meter.under(fine);
   }
-  static std::vector<Candidate> choiceOf(const Explanation& causes) {
-    std::vector<Candidate> list;
+  static std::vector<FittedCause> choiceOf(const Explanation& causes) {
+    std::vector<FittedCause> list;
     for (const Cause& cause : causes) list.push_back({.cause = cause, .fit = {}});
     return list;
   }

@@ -15,7 +15,7 @@ TEST(ValueFitTest, findsValuesFromFarOff) {
   const Evaluator evaluator(arm, evidence);
   const Effect* effect = findEffect("viscous_friction");
   for (const double start : {0.01, 0.09, 0.4}) {
-    const Candidate fitted =
+    const FittedCause fitted =
         fitValue(evaluator, {effect, findPlace(*effect, arm, "elbow", ""), start, 0}, {});
     EXPECT_NEAR(fitted.cause.value, 0.1, 0.003) << start;
   }
@@ -31,7 +31,8 @@ TEST(ValueFitTest, limitsAreFoundAsExactlyAsTheRest) {
   const Effect* effect = findEffect("acceleration_limit");
   EXPECT_DOUBLE_EQ(effect->valueAt(effect->strengthOf(25)), 25);
   EXPECT_DOUBLE_EQ(effect->strengthOf(effect->nominal), 0);
-  const Candidate fitted = fitValue(evaluator, {effect, findPlace(*effect, arm, "shoulder", ""), 60, 0}, {});
+  const FittedCause fitted =
+      fitValue(evaluator, {effect, findPlace(*effect, arm, "shoulder", ""), 60, 0}, {});
   EXPECT_NEAR(fitted.cause.value, 25, 0.2);
 }
 
