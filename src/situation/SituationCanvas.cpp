@@ -104,4 +104,10 @@ void SituationCanvas::label(const Vec2& place, const std::string& words) {
                               expected, right ? "end" : "start"));
 }
 
+void SituationCanvas::way(const Vec2& from, const Vec2& place, double within, const std::string& words) {
+  ring(place, within);
+  arrow(from, place);
+  label(place, words);
+}
+
 }  // namespace plumbline

@@ -26,6 +26,8 @@ public:
   void sector(const Vec2& from, double radius, double least, double most);
   void area(const Vec2& from, const Vec2& to);
   void label(const Vec2& place, const std::string& words);
+  /// The player shall go to a place: arrow, ring and words.
+  void way(const Vec2& from, const Vec2& place, double within, const std::string& words);
 
   const std::string& svg() const { return svg_; }
 

@@ -7,8 +7,8 @@
 #include <stdexcept>
 #include <tuple>
 
-#include "situation/ExpectedFile.h"
 #include "situation/SituationFile.h"
+#include "situation/SituationKind.h"
 
 namespace plumbline {
 namespace {
@@ -16,15 +16,6 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr std::size_t mostFiles = 1000;
-
-constexpr std::array<const char*, deciderNames.size()> headings = {
-    "The striker: what it does with the ball",
-    "The goalie: where it stands",
-    "The formation: who goes to the ball, and who goes where",
-    "A supporter: how it takes its place",
-    "Blocks: which opponent, and from where",
-    "Set pieces: where the ball or the player goes",
-    "Pass mode: whether the referee is asked for it"};
 
 /// What Markdown would take for marks.
 std::string plain(const std::string& text) {
@@ -51,8 +42,10 @@ std::vector<SituationEntry> situationsIn(const std::string& folder) {
     std::ranges::replace(name, '/', '-');
     entries.push_back({file.generic_string(), std::move(name), readSituation(file.string())});
   }
-  std::ranges::sort(entries, {},
-                    [](const SituationEntry& e) { return std::tie(e.situation.decides, e.file); });
+  std::ranges::sort(entries, {}, [](const SituationEntry& e) {
+    const SituationTraits& kind = e.situation.kind->traits;
+    return std::tuple(kind.order, std::string_view(kind.name), std::string_view(e.file));
+  });
   return entries;
 }
 
@@ -69,10 +62,9 @@ std::string situationPage(const std::vector<SituationEntry>& entries, const std:
   const SituationEntry* before = nullptr;
   for (const SituationEntry& entry : entries) {
     const Situation& s = entry.situation;
-    if (!before || before->situation.decides != s.decides)
-      page += fmt::format("\n## {}\n", headings.at(static_cast<std::size_t>(s.decides)));
+    if (!before || before->situation.kind != s.kind) page += fmt::format("\n## {}\n", s.kind->traits.heading);
     before = &entry;
-    const std::string decision = expectedWords(s.expected, s.player);
+    const std::string decision = expectedWords(s);
     page +=
         fmt::format("\n### {}\n\n{}\n\n![{}]({}/{}.svg)\n\nExpected: {}. File: `{}`\n",
                     plain(fs::path(entry.file).stem().string()), plain(s.about), plain(entry.name), pictures,

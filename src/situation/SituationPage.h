@@ -7,7 +7,7 @@
 
 namespace plumbline {
 
-/// The situations of a folder and of those in it, in the order of deciders and names.
+/// The situations of a folder and of those in it, in the order of kinds and names.
 struct SituationEntry {
   std::string file;  ///< as the folder was named
   std::string name;  ///< of its picture, without an ending: those of the folders and its own

@@ -1,9 +1,9 @@
 #!/usr/bin/env bash
 # One of each is added by files alone. A copy of the tree is built with a folder outside of it, which holds what the pages
 # of doc/how-to show, to the letter. They are module, representation, behaviour, skill, motion, effect (of the diagnosis and of the
-# league's simulator). Also robot, physics engine, engine for servo robots, optimiser, platform, rule of the referee, and a robot that
-# walks. Each has to be there then. ccache serves all that the tree was built from; without it the test fails. Without
-# PLUMBLINE_SLOW only the agent is built: module, representation, behaviour, skill, motion and platform.
+# league's simulator). Also robot, physics engine, engine for servo robots, optimiser, platform, rule of the referee, kind of
+# situation, and a robot that walks. Each has to be there then. ccache serves all that the tree was built from; without it the
+# test fails. Without PLUMBLINE_SLOW only the agent is built: module, representation, behaviour, skill, motion and platform.
 source "$(dirname "$0")/../e2e/assert.bash"
 if ! command -v ccache > /dev/null || [[ ${CCACHE-yes} == "" ]]; then
   echo "extend.sh: there is no ccache, and without it all of src/ would be compiled once more: install ccache, or do not set CCACHE empty" >&2
@@ -26,11 +26,12 @@ takeBlocks() {
     /^```$/ && inside { inside = 0; close(out); file = ""; next }
     inside { print > out }' "$1"
 }
-for page in module behaviour platform rule; do takeBlocks "doc/how-to/add-a-$page.md"; done
+for page in module behaviour platform rule kind-of-situation; do takeBlocks "doc/how-to/add-a-$page.md"; done
 for page in effect engine optimiser; do takeBlocks "doc/how-to/add-an-$page.md"; done
-expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 11 "sources in the pages"
+expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 12 "sources in the pages"
 awk '/^```text$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-platform.md > "$scratch/still.cfg"
 awk '/^```json$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-robot.md > "$scratch/arm.json"
+awk '/^```yaml$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-kind-of-situation.md > "$scratch/press.yaml"
 
 # A folder that is none of src/ would be left out: it is an error.
 mkdir "$ours/modles"
@@ -41,7 +42,7 @@ rm -r "$ours/modles"
 
 (cd "$tree" && ./configure.sh "-DPLUMBLINE_EXTRA=$ours") > "$scratch/log" 2>&1 || fail "configure: $(cat "$scratch/log")"
 programs=(agent)
-[[ ! ${PLUMBLINE_SLOW-} ]] || programs+=(gap simulator optimizewalk)
+[[ ! ${PLUMBLINE_SLOW-} ]] || programs+=(gap simulator optimizewalk situations)
 (cd "$tree" && scripts/build.sh SimRelease "${programs[@]}") > "$scratch/log" 2>&1 || fail "build: $(tail -30 "$scratch/log")"
 bin=$tree/bin
 cd "$tree"
@@ -66,7 +67,7 @@ within 300 "$bin/agent" --platform still --cycle 0.04 --motion wave --once --sta
 (($(sed -n 's/.*"cycles": *\([0-9]*\).*/\1/p' "$scratch/stats.json") > 50)) || fail "the platform's agent: $(cat "$scratch/stats.json")"
 expectError 2 'agent: --platform stil: unknown platform; did you mean "still"?' "$bin/agent" --platform stil
 
-[[ ${PLUMBLINE_SLOW-} ]] || { echo "left out: effect, robot, engines, optimiser and rule; make check builds their programs, too"; exit 0; }
+[[ ${PLUMBLINE_SLOW-} ]] || { echo "left out: effect, robot, engines, optimiser, rule and kind of situation; make check builds their programs, too"; exit 0; }
 # The effect is listed, and found in a recording of the robot that has it.
 "$bin/gap" effects --robot "$scratch/arm.json" > "$scratch/effects" || fail "gap effects"
 grep -q '^gear_ripple .*The gear of {at} cogs' "$scratch/effects" || fail "gap effects: $(cat "$scratch/effects")"
@@ -109,6 +110,14 @@ grep -A 3 '^ballHolding:$' "$scratch/rules.yaml" | grep -q 'longest: 5  # s; tha
 [[ $(grep -nE '^(goals|ballHolding):' "$scratch/rules.yaml" | cut -d: -f2 | tr '\n' ' ') == 'ballHolding goals ' ]] || fail "the rule's place: $(cat "$scratch/rules.yaml")"
 printf 'ballHolding: {on: true, longst: 2}\n' > "$scratch/wrong.yaml"
 expectError 2 "simulator: $scratch/wrong.yaml:1: unknown key \"ballHolding.longst\"; did you mean \"longest\"?" "$bin/simulator" --rules "$scratch/wrong.yaml"
+# The kind of situation has its place and its own keys; it is drawn with what is expected.
+"$bin/situations" draw "$scratch/press.yaml" -o "$scratch" > "$scratch/log" 2>&1 || fail "the situation: $(cat "$scratch/log")"
+grep -q '>expected: presses</text>' "$scratch/press.svg" || fail "the situation's picture: $(cat "$scratch/press.svg")"
+sed 's/^time:/tme:/' "$scratch/press.yaml" > "$scratch/wrong.yaml"
+expectError 2 "situations: $scratch/wrong.yaml:1: missing key \"time\"; is it \"tme\" in line 5?" "$bin/situations" draw "$scratch/wrong.yaml" -o "$scratch"
+sed 's/^decides: press/decides: pres/' "$scratch/press.yaml" > "$scratch/wrong.yaml"
+expectError 2 "situations: $scratch/wrong.yaml:2: decides must be striker, goalie, formation, supporter, press, block, setPiece or passCall, not \"pres\"" \
+  "$bin/situations" draw "$scratch/wrong.yaml" -o "$scratch"
 "$bin/optimizewalk" --help | tr -s ' \n' ' ' | grep -q 'cmaes, sep-cmaes, xnes, pso, ipop-cmaes, bipop-cmaes, random' || fail "optimizewalk lists: $("$bin/optimizewalk" --help)"
 "$bin/optimizewalk" --type 0 --task forward --generations 2 --population 4 --tries 1 --seconds 2 --optimizer random --output "$scratch/walk.yaml" > "$scratch/log" 2>&1 ||
   fail "optimizewalk: $(cat "$scratch/log")"

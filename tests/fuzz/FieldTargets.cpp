@@ -5,6 +5,7 @@
 #include "modules/behavior/setpiece/SetPieces.h"
 #include "simulation/referee/RulesFile.h"
 #include "situation/SituationFile.h"
+#include "situation/SituationKinds.h"
 #include "situation/SituationPicture.h"
 
 namespace plumbline::fuzz {
@@ -67,8 +68,8 @@ std::vector<std::string> setPieceFileSeeds() {
 
 std::vector<std::string> situationFileSeeds() {
   std::vector<std::string> seeds;
-  for (const char* decider : deciderNames)
-    for (std::string& text : contentsOf(std::string("tests/data/situations/") + decider, ".yaml"))
+  for (const std::string& kind : situationKindNames())
+    for (std::string& text : contentsOf("tests/data/situations/" + kind, ".yaml"))
       seeds.push_back(std::move(text));
   return seeds;
 }

@@ -15,6 +15,10 @@
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/SkillKickParameters.h"
 #include "situation/SituationFile.h"
+#include "situation/SituationKinds.h"
+#include "situation/kinds/BlockSituationKind.h"
+#include "situation/kinds/StrikerSituationKind.h"
+#include "situation/kinds/SupporterSituationKind.h"
 #include "support/ScratchFolder.h"
 #include "support/Thrown.h"
 
@@ -91,12 +95,12 @@ struct SituationOfLogTest : testing::Test {
   all() {
     return {player, pose, ball, game, others, places, kicks, role, opponents, team};
   }
-  Situation at(double time, Decider decider) {
+  Situation at(double time, const char* kind) {
     const auto reader = log();
-    return situationOfLog(*reader, reader->thread(""), time, decider);
+    return situationOfLog(*reader, reader->thread(""), time, situationKind(kind));
   }
-  std::string errorAt(double time, Decider decider = Decider::striker) {
-    return thrownBy([&] { at(time, decider); });
+  std::string errorAt(double time) {
+    return thrownBy([&] { at(time, "striker"); });
   }
 
   test::ScratchFolder scratch;
@@ -113,7 +117,7 @@ struct SituationOfLogTest : testing::Test {
 };
 
 TEST_F(SituationOfLogTest, isWhatThePlayerBelievedThen) {
-  const Situation s = at(0.05, Decider::striker);
+  const Situation s = at(0.05, "striker");
   EXPECT_EQ(s.about, "What number 7 of Own believed at 0.04 s of the log log.");
   EXPECT_EQ(s.player, 7);
   EXPECT_EQ(s.robot.position, Vec2(-1, 0));
@@ -125,16 +129,25 @@ TEST_F(SituationOfLogTest, isWhatThePlayerBelievedThen) {
   EXPECT_FALSE(s.others[2].mate);
   ASSERT_EQ(s.going.size(), 1u);
   EXPECT_EQ(s.going[0].place.position, Vec2(1, 3));
-  EXPECT_EQ(s.kicks.size(), 1u);
-  EXPECT_EQ(s.expected.index(), 0u) << "people say what they expect";
+  EXPECT_EQ(knownTo<StrikerKnowledge>(s).kicks.size(), 1u);
+  EXPECT_FALSE(s.expected) << "people say what they expect";
 }
 
-TEST_F(SituationOfLogTest, hasWhatItsDeciderKnows) {
-  EXPECT_TRUE(at(0.02, Decider::goalie).ballVelocity.isApprox(Vec2(0, 1))) << "the robot looks to the left";
+TEST_F(SituationOfLogTest, hasTheVelocityOfTheBall) {
+  EXPECT_TRUE(at(0.02, "goalie").ballVelocity.isApprox(Vec2(0, 1))) << "the robot looks to the left";
+}
+
+TEST_F(SituationOfLogTest, hasWhatOnlyItsKindKnows) {
+  const auto reader = log();
+  const auto of = [&](const char* kind) {
+    return situationOfLog(*reader, reader->thread(""), 0.02, situationKind(kind));
+  };
+  EXPECT_EQ(knownTo<SupporterKnowledge>(of("supporter")).ballAge, 0.5);
+  EXPECT_EQ(knownTo<BlockKnowledge>(of("block")).kickDistance, 8);
 }
 
 TEST_F(SituationOfLogTest, ofATeamIsWhatItsPlayersSaid) {
-  const Situation s = at(0.02, Decider::formation);
+  const Situation s = at(0.02, "formation");
   ASSERT_EQ(s.team.size(), 2u);
   EXPECT_EQ(s.team[0].number, 9);
   EXPECT_EQ(s.team[0].timeToBall, 4);
@@ -142,12 +155,12 @@ TEST_F(SituationOfLogTest, ofATeamIsWhatItsPlayersSaid) {
   EXPECT_EQ(s.team[1].timeToBall, 1.25);
 }
 
-TEST_F(SituationOfLogTest, everyDecidersIsAFileThatReadsBack) {
+TEST_F(SituationOfLogTest, ofEveryKindIsAFileThatReadsBack) {
   const auto reader = log();
-  for (std::size_t i = 0; i < deciderNames.size(); ++i) {
-    const Situation s = situationOfLog(*reader, reader->thread(""), 0.06, static_cast<Decider>(i));
+  for (const auto& kind : situationKinds()) {
+    const Situation s = situationOfLog(*reader, reader->thread(""), 0.06, *kind);
     scratch.write("one.yaml", situationText(s));
-    EXPECT_EQ(situationText(readSituation(scratch / "one.yaml")), situationText(s)) << deciderNames[i];
+    EXPECT_EQ(situationText(readSituation(scratch / "one.yaml")), situationText(s)) << kind->traits.name;
   }
 }
 

@@ -3,7 +3,9 @@
 #include <gtest/gtest.h>
 
 #include "situation/SituationFile.h"
+#include "situation/SituationKinds.h"
 #include "situation/SituationPage.h"
+#include "situation/kinds/StrikerSituationKind.h"
 
 namespace plumbline {
 namespace {
@@ -18,6 +20,7 @@ std::size_t count(const std::string& text, const std::string& part) {
 Situation strikersSituation() {
   Situation s;
   s.about = "An opponent <waits>.";
+  s.kind = &situationKind("striker");
   s.robot = Pose2(-0.5, 0, 0);
   s.player = 10;
   s.others.resize(3);
@@ -27,10 +30,13 @@ Situation strikersSituation() {
   s.others[1].position = {3, 0};
   s.others[2].position = {4, -2};
   s.others[2].number = 5;
-  s.kicks = {{.distance = 3}};
-  auto& expected = s.expected.emplace<StrikerExpected>();
-  expected.action = StrikerExpected::Action::kick;
-  expected.direction = {0.2, 0.8};
+  auto known = std::make_shared<StrikerKnowledge>();
+  known->kicks = {{.distance = 3}};
+  s.known = known;
+  auto expected = std::make_shared<StrikerExpected>();
+  expected->action = StrikerExpected::Action::kick;
+  expected->direction = {0.2, 0.8};
+  s.expected = expected;
   return s;
 }
 
@@ -66,18 +72,6 @@ TEST(SituationPicture, isOfThePartOfTheFieldWhereTheyAre) {
   const std::string wide = situationPicture(s, "x", FieldSize());
   EXPECT_EQ(wide.find("cx=\"286.7\""), std::string::npos);
   EXPECT_NE(wide.find("width=\"640\""), std::string::npos) << "pictures are all so wide";
-}
-
-TEST(SituationPicture, ofABlockNobodyDecidesAlone) {
-  Situation s;
-  s.decides = Decider::block;
-  s.others.resize(1);
-  s.others[0].number = 9;
-  s.others[0].position = {2, 2};
-  s.expected = BlockExpected{9, {1, 1}, 0.5};
-  const std::string svg = situationPicture(s, "x", FieldSize());
-  EXPECT_EQ(count(svg, "stroke=\"white\" stroke-width=\"3\""), 0u);
-  EXPECT_EQ(count(svg, ">blocks 9</text>"), 1u);
 }
 
 TEST(SituationPicture, allOfTheTestsAreDrawnWithinThePicture) {

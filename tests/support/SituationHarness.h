@@ -10,6 +10,7 @@
 #include "representations/modeling/BallPos.h"
 #include "representations/modeling/RobotPose.h"
 #include "situation/SituationFile.h"
+#include "situation/SituationKind.h"
 
 namespace plumbline::test {
 
@@ -33,14 +34,14 @@ public:
       : file_("tests/data/situations/" + decider + "/" + name + ".yaml"),
         situation_(readSituation(file_)),
         trace_(file_.c_str(), 1, "to see it: bin/situations draw " + file_) {
-    if (deciderNames.at(static_cast<std::size_t>(situation_.decides)) != decider)
+    if (situation_.kind->traits.name != decider)
       throw std::runtime_error(file_ + ": it is not decided by what its folder says");
-    if (!std::holds_alternative<E>(situation_.expected))
+    if (!expectedOf<E>(situation_))
       throw std::runtime_error(file_ + ": it has no `expected`: write what you expect");
   }
   const Situation& operator*() const { return situation_; }
   const Situation* operator->() const { return &situation_; }
-  const E& expected() const { return std::get<E>(situation_.expected); }
+  const E& expected() const { return *expectedOf<E>(situation_); }
 
 private:
   std::string file_;

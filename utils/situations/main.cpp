@@ -1,7 +1,6 @@
 // bin/situations: draws situations with the decision that people expect, and takes them from logs of games.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <functional>
 
@@ -12,6 +11,7 @@
 #include "framework/StopSignal.h"
 #include "framework/WriteFile.h"
 #include "situation/SituationFile.h"
+#include "situation/SituationKinds.h"
 #include "situation/SituationOfLog.h"
 #include "situation/SituationPage.h"
 #include "situation/SituationPicture.h"
@@ -23,7 +23,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   std::vector<std::string> files;
-  std::string folder, output, pictures, field, log, thread, decider;
+  std::string folder, output, pictures, field, log, thread, kind;
   double time = 0;
 };
 
@@ -62,9 +62,8 @@ int page(const Options& options) {
 
 int take(const Options& options) {
   record::LogReader log(options.log);
-  const auto decider = std::ranges::find(deciderNames, options.decider) - deciderNames.begin();
   const Situation situation =
-      situationOfLog(log, log.thread(options.thread), options.time, static_cast<Decider>(decider));
+      situationOfLog(log, log.thread(options.thread), options.time, situationKind(options.kind));
   writeFile(options.output, situationText(situation));
   fmt::print("{}: add what you expect, then draw it: bin/situations draw {}\n", options.output,
              options.output);
@@ -95,9 +94,7 @@ void declare(CommandLine& app, Options& options, Command& chosen) {
   takes.option("--time", options.time, "of the log [s]; bin/logtool list says which there are")
       .notNegative()
       .required();
-  takes.option("--decides", options.decider, "what decides in it")
-      .oneOf({deciderNames.begin(), deciderNames.end()})
-      .required();
+  takes.option("--decides", options.kind, "what decides in it").oneOf(situationKindNames()).required();
   takes.option("--thread", options.thread, "where the log has several");
   takes.option("-o,--output", options.output, "the file").required();
   takes.whenChosen([&] { chosen = take; });

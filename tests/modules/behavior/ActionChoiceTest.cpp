@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "framework/ConfigFile.h"
+#include "situation/kinds/StrikerSituationKind.h"
 #include "support/Robots.h"
 #include "support/SituationHarness.h"
 
@@ -250,7 +251,7 @@ TEST_P(SituationTest, isDecidedAsExpected) {
   situation.ball = written->ball;
   situation.others = written->others;
   situation.places.players = written->going;
-  situation.kicks = written->kicks;
+  situation.kicks = knownTo<StrikerKnowledge>(*written).kicks;
   const StrikerExpected& expected = written.expected();
   const Vec2 reach = expected.reach.value_or(Vec2(0, 100));
 

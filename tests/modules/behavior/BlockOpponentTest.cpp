@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "situation/kinds/BlockSituationKind.h"
 #include "support/ModuleHarness.h"
 #include "support/Robots.h"
 #include "support/SituationHarness.h"
@@ -85,7 +86,8 @@ TEST_P(BlockSituations, areDecidedAsExpected) {
   const test::WrittenSituation<BlockExpected> written("block", GetParam());
   harness.input<BallPos>().field = written->ball;
   harness.input<OtherRobots>().robots = written->others;
-  if (written->opponentKick) harness.input<OppInfo>().kickDistance = *written->opponentKick;
+  if (const auto& kick = knownTo<BlockKnowledge>(*written).kickDistance)
+    harness.input<OppInfo>().kickDistance = *kick;
   const BlockPosition& block = output();
   const BlockExpected& expected = written.expected();
   ASSERT_EQ(block.valid ? block.opponent : 0, expected.opponent);

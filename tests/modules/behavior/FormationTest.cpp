@@ -4,6 +4,7 @@
 
 #include <set>
 
+#include "situation/kinds/FormationSituationKind.h"
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 #include "support/SituationHarness.h"

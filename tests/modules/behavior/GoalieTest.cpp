@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "situation/kinds/GoalieSituationKind.h"
 #include "support/ModuleHarness.h"
 #include "support/SituationHarness.h"
 

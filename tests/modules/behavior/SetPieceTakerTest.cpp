@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include "situation/kinds/SkillExpected.h"
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
 #include "support/Robots.h"

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "situation/kinds/SkillExpected.h"
+#include "situation/kinds/SupporterSituationKind.h"
 #include "support/ModuleHarness.h"
 #include "support/SituationHarness.h"
 
@@ -64,7 +66,7 @@ TEST_P(SupporterSituations, areDecidedAsExpected) {
   const test::WrittenSituation<SkillExpected> written("supporter", GetParam());
   harness.input<PlayerRole>().place = *written->place;
   test::placeBall(harness.input<BallPos>(), written->robot, written->ball);
-  harness.input<BallPos>().age = written->ballAge;
+  harness.input<BallPos>().age = knownTo<SupporterKnowledge>(*written).ballAge;
   const BehaviorOutput& output = at(written->robot);
   const SkillExpected& expected = written.expected();
   ASSERT_EQ(output.skill, expected.skill);
