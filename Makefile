@@ -114,11 +114,12 @@ bench-walk:
 	@scripts/make_results.sh walking
 	@cat build/bench/walking.md
 
-# Parts of it with pages of their own, doc/results/walking-nao.md and walking-fit.md: the NAO alone, in Bullet and in
-# MuJoCo; the thesis's tables before and after the model is fitted, of all robots.
+# Parts of it with pages of their own, doc/results/walking-nao.md, walking-fit.md and walking-speeds.md: the NAO alone, in Bullet and
+# in MuJoCo; the thesis's tables before and after the model is fitted, of all robots; how fast the league's robots are.
 walk-nao := --robots nao-bullet,nao-mujoco --sections speeds,thesis,estimate
 walk-fit := --sections thesis
-bench-walk-nao bench-walk-fit: bench-%:
+walk-speeds := --sections speeds --robots type0,type1,type2,type3,type4
+bench-walk-nao bench-walk-fit bench-walk-speeds: bench-%:
 	@scripts/install_packages.sh scripts/packages-bench.txt
 	@$(MAKE) SimRelease-bench-walking
 	@build/SimRelease/bench/walking $(or $(ARGS),10 10 100) --name $(subst walk,walking,$*) $($*)

@@ -20,4 +20,4 @@ _plumbline() {
   fi
   mapfile -t COMPREPLY < <(compgen -W "${words[*]}" -- "$current")
 }
-complete -o filenames -F _plumbline plumbline-{agent,game,gap,optimizewalk,optserver,optworker,simulator,webmonitor,simplemonitor,watchgame,rdb,situations}
+complete -o filenames -F _plumbline @PLUMBLINE_COMPLETED@

@@ -23,7 +23,7 @@ report() {
     echo "changes have no effect that anybody could see, and some thresholds may well be others. \"Not reached\" is what no test of the"
     echo "folder runs at all. \`LONG=yes\` also runs \`tests/diagnosis\`, minutes each, for changes of \`src/gap\`; the table is without."
     echo
-    echo "Seed $seed, $(date -u -r "$results" +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}: $(wc -l < "$results") of $(mutants | wc -l) changes were tried."
+    echo "Seed $seed, $(date -u -r "$results" +%Y-%m-%d), $(nproc) cores of ${machine:-an unknown CPU}: $(wc -l < "$results") of $(mutants | wc -l) changes were tried. Lines are those of that tree."
     echo
     echo "| folder | kind | tried | noticed | survived | not reached | did not compile |"
     echo "|---|---|---|---|---|---|---|"

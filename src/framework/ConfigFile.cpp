@@ -93,15 +93,15 @@ void ConfigFile::checkUnknown() const {
 
 void ConfigFile::takeOver(const ConfigFile& before) const { takeOverMarks(*before.node_, *node_); }
 
-thread_local ConfigStore::ChangedFile* ConfigStore::changed = nullptr;
+thread_local ConfigStore::ChangedFile* ConfigStore::changed_ = nullptr;
 
 ConfigStore::ChangedFile::ChangedFile(ConfigStore& store, const std::string& name)
     : store_(store), name_(name) {
   if (store.exists(name)) file_.emplace(name, ConfigFile(name, store.directories_));
-  changed = this;
+  changed_ = this;
 }
 
-ConfigStore::ChangedFile::~ChangedFile() { changed = nullptr; }
+ConfigStore::ChangedFile::~ChangedFile() { changed_ = nullptr; }
 
 void ConfigStore::ChangedFile::checkUnknown() const {
   if (file_.empty()) return;
@@ -146,9 +146,9 @@ std::set<std::string> ConfigStore::filesOf(const std::string& reader) const {
 }
 
 const ConfigFile& ConfigStore::file(const std::string& name) {
-  if (changed && &changed->store_ == this && changed->name_ == name) {
-    if (changed->file_.empty()) ConfigFile gone(name, directories_);  // says where it was looked for
-    return changed->file_.at(name);
+  if (changed_ && &changed_->store_ == this && changed_->name_ == name) {
+    if (changed_->file_.empty()) ConfigFile gone(name, directories_);  // says where it was looked for
+    return changed_->file_.at(name);
   }
   std::lock_guard lock(mutex_);
   const auto found = files_.find(name);

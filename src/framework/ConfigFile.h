@@ -78,7 +78,7 @@ public:
   std::vector<std::string> changedSince(std::uint64_t version) const;
 
 private:
-  static thread_local ChangedFile* changed;
+  static thread_local ChangedFile* changed_;
 
   std::vector<std::string> directories_;
   mutable std::mutex mutex_;

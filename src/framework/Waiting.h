@@ -8,25 +8,25 @@ namespace plumbline {
 /// per thread; one within another counts once.
 class Waiting {
 public:
-  Waiting() : begin_(std::chrono::steady_clock::now()) { depth++; }
+  Waiting() : begin_(std::chrono::steady_clock::now()) { depth_++; }
   Waiting(const Waiting&) = delete;
   Waiting& operator=(const Waiting&) = delete;
   ~Waiting() {
-    if (--depth > 0) return;
-    nanoseconds += static_cast<std::uint64_t>(
+    if (--depth_ > 0) return;
+    nanoseconds_ += static_cast<std::uint64_t>(
         std::chrono::nanoseconds(std::chrono::steady_clock::now() - begin_).count());
   }
 
   /// What this thread waited since the last call [ns].
   static std::uint64_t take() {
-    const std::uint64_t taken = nanoseconds;
-    nanoseconds = 0;
+    const std::uint64_t taken = nanoseconds_;
+    nanoseconds_ = 0;
     return taken;
   }
 
 private:
-  static inline thread_local std::uint64_t nanoseconds = 0;
-  static inline thread_local unsigned depth = 0;
+  static inline thread_local std::uint64_t nanoseconds_ = 0;
+  static inline thread_local unsigned depth_ = 0;
   std::chrono::steady_clock::time_point begin_;
 };
 

@@ -4,7 +4,7 @@
 
 namespace plumbline::tunnel {
 
-ContinueSignal::ContinueSignal() : seen_(counted.load()) {
+ContinueSignal::ContinueSignal() : seen_(counted_.load()) {
   struct sigaction action {};
   action.sa_handler = &ContinueSignal::count;
   sigemptyset(&action.sa_mask);
@@ -12,7 +12,7 @@ ContinueSignal::ContinueSignal() : seen_(counted.load()) {
 }
 
 bool ContinueSignal::came() {
-  const unsigned now = counted.load();
+  const unsigned now = counted_.load();
   const bool came = now != seen_;
   seen_ = now;
   return came;

@@ -13,8 +13,8 @@ public:
   bool came();
 
 private:
-  static void count(int) { counted.fetch_add(1, std::memory_order_relaxed); }
-  static inline std::atomic<unsigned> counted{0};
+  static void count(int) { counted_.fetch_add(1, std::memory_order_relaxed); }
+  static inline std::atomic<unsigned> counted_{0};
 
   unsigned seen_ = 0;
 };

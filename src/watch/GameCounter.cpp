@@ -11,7 +11,7 @@ using simspark::SceneState;
 using simspark::TeamSide;
 
 namespace {
-constexpr double leastCosineStanding = 0.9, mostCosineLying = 0.5;  ///< of the torso's tilt
+constexpr double leastCosineUpright = 0.9, mostCosineLying = 0.5;  ///< of the torso's tilt
 
 /// Rounded as the recordings of a game are, so that page and table count the same.
 double centimetres(double metres) { return std::round(100 * metres) / 100; }
@@ -41,7 +41,7 @@ void GameCounter::countFalls(const SceneState& scene, bool running) {
     ++here[index(robot.side)];
     Stance& stance = stances_[{robot.side, robot.unum}];
     const double up = robot.T_world_torso.linear()(2, 2);
-    if (up > leastCosineStanding) stance = {.stood = true, .fallen = false};
+    if (up > leastCosineUpright) stance = {.stood = true, .fallen = false};
     if (up < mostCosineLying && stance.stood && !stance.fallen) {
       stance.fallen = true;
       if (running) ++falls_[index(robot.side)];

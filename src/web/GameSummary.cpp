@@ -28,7 +28,7 @@ constexpr double step = 0.1, rest = 0.5;    // between two places [s]; of the re
 constexpr std::size_t mostPlaces = 200000;  // five and a half hours
 constexpr std::size_t maxPage = std::size_t{64} << 20;  // [bytes]
 constexpr std::size_t mostRobots = 64;
-constexpr double leastCosineStanding = 0.5;  // of the torso's tilt
+constexpr double leastCosineNotLying = 0.5;  // of the torso's tilt
 
 template <class T>
 T take(std::string_view bytes, std::size_t place) {
@@ -79,7 +79,7 @@ bool readFrame(std::string_view bytes, Moment& moment) {
     if (side == 1 || side == 2)
       moment.robots[{side, unum}] = {centimetres(take<float>(bytes, at + 4)),
                                      centimetres(take<float>(bytes, at + 8)),
-                                     upOf(bytes, at, parts) > leastCosineStanding};
+                                     upOf(bytes, at, parts) > leastCosineNotLying};
     at += size;
   }
   return true;

@@ -33,7 +33,7 @@ void MarkDump::addLibrary() {
 
 std::string MarkDump::text() const {
   char text[17];
-  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash));
+  std::snprintf(text, sizeof text, "%016llx", static_cast<unsigned long long>(hash_));
   return text;
 }
 

@@ -17,7 +17,7 @@ class MarkDump {
 public:
   void bytes(const char* data, std::size_t size) {
     for (std::size_t i = 0; i < size; ++i)
-      hash = (hash ^ static_cast<unsigned char>(data[i])) * 0x100000001b3;
+      hash_ = (hash_ ^ static_cast<unsigned char>(data[i])) * 0x100000001b3;
   }
 
   template <class... Values>
@@ -115,7 +115,7 @@ public:
   std::string text() const;
 
 private:
-  std::uint64_t hash = 0xcbf29ce484222325;
+  std::uint64_t hash_ = 0xcbf29ce484222325;
 };
 
 }  // namespace plumbline::gap

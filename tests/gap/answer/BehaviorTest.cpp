@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "../StandingLeg.h"
+#include "../LegOnItsFoot.h"
 
 namespace plumbline::gap {
 namespace {
@@ -103,7 +103,7 @@ TEST(BehaviorTest, aRunWithAFixedBaseHasNone) {
 }
 
 TEST(BehaviorTest, whatSteppedIsPlayedInOnePiece) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   Trial trial = legTrial(true, 3);
   Signal gyro{"gyro.y", SignalKind::gyro, -1, -1, 1, false, std::vector<double>(trial.cycles())};
   trial.signals.push_back(gyro);

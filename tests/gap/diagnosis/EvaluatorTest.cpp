@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../StandingLeg.h"
+#include "../LegOnItsFoot.h"
 #include "gap/diagnosis/GapMeter.h"
 
 namespace plumbline::gap {
@@ -131,14 +131,14 @@ TEST_F(EvaluatorTest, aBaseInDoubtCostsWhatItCostsAsACandidate) {
 std::vector<Trial> legRuns(double offset) {
   std::vector<Trial> trials;
   for (const bool floatingBase : {false, true}) {
-    trials.push_back(recorded(nominalPlant(standingLeg()), legTrial(floatingBase), 5e-4, 3));
+    trials.push_back(recorded(nominalPlant(legOnItsFoot()), legTrial(floatingBase), 5e-4, 3));
     for (double& value : trials.back().signals[0].values) value += offset;
   }
   return trials;
 }
 
 TEST(EvaluatorOnFeetTest, squaresGrowByTheirLogarithm) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   const auto squares = [&](double offset, std::size_t trial) {
     const Evidence evidence(std::vector<Trial>{legRuns(offset)[trial]});
     return Evaluator(leg, evidence).baseFit().fitting;
@@ -156,7 +156,7 @@ TEST(EvaluatorOnFeetTest, squaresGrowByTheirLogarithm) {
 }
 
 TEST(EvaluatorOnFeetTest, aCandidateCostsThereWhatItCostsAsABase) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   const Evidence evidence(legRuns(0.02));
   Evaluator evaluator(leg, evidence);
   const Effect* effect = findEffect("joint_offset");
@@ -167,7 +167,7 @@ TEST(EvaluatorOnFeetTest, aCandidateCostsThereWhatItCostsAsABase) {
 }
 
 TEST(EvaluatorOnFeetTest, runsOnTheFeetMayBeLeftOut) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   const Evidence evidence(legRuns(0.02)), fixedBase(std::vector<Trial>{legRuns(0.02)[0]});
   Evaluator evaluator(leg, evidence);
   const double whole = evaluator.baseFit().judging;

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../StandingLeg.h"
+#include "../LegOnItsFoot.h"
 
 namespace plumbline::gap {
 namespace {
@@ -10,7 +10,7 @@ namespace {
 constexpr double readingNoise = 5e-4;
 
 Trial nominalRun(bool floatingBase) {
-  return recorded(nominalPlant(standingLeg()), legTrial(floatingBase), readingNoise, floatingBase ? 7 : 8);
+  return recorded(nominalPlant(legOnItsFoot()), legTrial(floatingBase), readingNoise, floatingBase ? 7 : 8);
 }
 
 /// A run whose hip is off by 0.02 rad for the last part of it.
@@ -22,7 +22,7 @@ Trial displaced(Trial trial, double share) {
 
 struct Judged {
   explicit Judged(std::vector<Trial> trials) : evidence(std::move(trials)), evaluator(leg, evidence) {}
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   const Evidence evidence;
   const Evaluator evaluator;
 };
@@ -49,7 +49,7 @@ TEST(GapMeterTest, aRobotThatHangsHasNoGapOnItsFeet) {
 }
 
 TEST(GapMeterTest, aJointThatSticksMayLetGoLate) {
-  const Trial longRun = recorded(nominalPlant(standingLeg()), legTrial(false, 20), readingNoise, 8);
+  const Trial longRun = recorded(nominalPlant(legOnItsFoot()), legTrial(false, 20), readingNoise, 8);
   Judged little({displaced(longRun, 0.02)}), much({displaced(longRun, 0.2)});
   const Effect *sticks = findEffect("coulomb_friction"), *slides = findEffect("viscous_friction");
   const auto judgedWith = [](Judged& judged, const Effect* effect) {

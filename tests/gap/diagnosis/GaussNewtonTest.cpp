@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "../StandingLeg.h"
+#include "../LegOnItsFoot.h"
 #include "../TwoJointArm.h"
 
 namespace plumbline::gap {
@@ -81,7 +81,7 @@ TEST_F(GaussNewtonTest, theSameOnAnyNumberOfThreadsAndWithAnotherBase) {
 }
 
 TEST_F(GaussNewtonTest, runsOnTheFeetAreRefused) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   const Evidence evidence({recorded(nominalPlant(leg), legTrial(true, 1), 5e-4, 3)});
   const Evaluator evaluator(leg, evidence);
   EXPECT_THROW(gaussNewton(evaluator, {}, {}, 1), std::logic_error);

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../StandingLeg.h"
+#include "../LegOnItsFoot.h"
 #include "gap/diagnosis/DeviatingJoints.h"
 #include "gap/diagnosis/UnderLoad.h"
 
@@ -90,7 +90,7 @@ TEST(PossibleCausesOfJoints, aJointThatWasNotSeenIsLookedAtWhereItsNeighbourIsOf
 
 /// A leg that is clean where it hangs; on its foot the hip is off by an angle.
 bool lookedForOnFeet(double offset, const char* id, const char* place) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   std::vector<Trial> trials;
   for (const bool floatingBase : {false, true})
     trials.push_back(recorded(nominalPlant(leg), legTrial(floatingBase), 5e-4, 3));
@@ -115,7 +115,7 @@ TEST(PossibleCausesOnFeetTest, aLegThatIsCleanWhereItHangsMayBeOffUnderLoad) {
 }
 
 TEST(PossibleCausesOnFeetTest, ofARobotThatStepsTheDrivesOfWhatIsOff) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   Trial trial = legTrial(true);
   const Prediction nominal = replay(nominalPlant(leg), trial);
   for (std::size_t s = 0; s < trial.signals.size(); ++s)

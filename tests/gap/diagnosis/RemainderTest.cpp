@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-#include "../StandingLeg.h"
+#include "../LegOnItsFoot.h"
 #include "gap/diagnosis/GapMeter.h"
 
 namespace plumbline::gap {
@@ -18,7 +18,7 @@ struct Leg {
       for (double& value : trials.back().signals[0].values) value += feet ? floating : hanging;
     }
   }
-  Mechanism leg = standingLeg();
+  Mechanism leg = legOnItsFoot();
   std::vector<Trial> trials;
 };
 

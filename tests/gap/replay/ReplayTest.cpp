@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-#include "../StandingLeg.h"
+#include "../LegOnItsFoot.h"
 #include "gap/effects/Effects.h"
 
 namespace plumbline::gap {
@@ -141,7 +141,7 @@ TEST(ReplayTest, dryFrictionHoldsWhatIsBelowIt) {
 }
 
 TEST(ReplayTest, whatSticksDoesNotCreepOnTheFoot) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   Trial trial = legTrial(true, 12);
   std::fill(trial.command[1].begin(), trial.command[1].end(), 0.02);
   Plant plant = nominalPlant(leg);

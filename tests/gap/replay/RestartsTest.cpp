@@ -4,7 +4,7 @@
 
 #include <limits>
 
-#include "../StandingLeg.h"
+#include "../LegOnItsFoot.h"
 #include "gap/replay/Stepper.h"
 
 namespace plumbline::gap {
@@ -12,7 +12,7 @@ namespace {
 
 /// A leg and its like: enough to tell which foot is loaded.
 Mechanism twoFeet() {
-  Mechanism robot = standingLeg();
+  Mechanism robot = legOnItsFoot();
   robot.feet[0].sensors.emplace_back();
   robot.feet.push_back(robot.feet[0]);
   return robot;
@@ -81,7 +81,7 @@ TEST(RestartsTest, aLostReadingOfAFootIsNoPlaceToBegin) {
 }
 
 TEST(RestartsTest, theFootLiesFlatAndStays) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   Trial trial = legTrial(true);
   Signal truth{"truth", SignalKind::truth, -1, -1, 0, false, std::vector<double>(trial.cycles())};
   for (int axis = 0; axis < 7; ++axis) {
@@ -112,7 +112,7 @@ TEST(RestartsTest, theFootLiesFlatAndStays) {
 }
 
 TEST(RestartsTest, theReplayGoesOnFromWhatWasMeasured) {
-  const Mechanism leg = standingLeg();
+  const Mechanism leg = legOnItsFoot();
   Trial trial = legTrial(true);
   Plant reality = nominalPlant(leg);
   reality.joints[1].biasForce = 0.4;  // 0.02 rad at the knee

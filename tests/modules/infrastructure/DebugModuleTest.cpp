@@ -19,7 +19,7 @@ class DebugModuleTest : public testing::Test {
 protected:
   DebugModuleTest() {
     options->server.port = 0;
-    options->notify = [this](const std::string& line) { told.push_back(line); };
+    options->notify = [this](const std::string& line) { lines.push_back(line); };
   }
   /// What the server answers to a client within the program.
   static std::string ask(inspect::DebugServer& server, const std::string& command) {
@@ -37,7 +37,7 @@ protected:
   }
   std::shared_ptr<DebugOptions> options = std::make_shared<DebugOptions>();
   std::shared_ptr<AgentDebug> agent = std::make_shared<AgentDebug>();
-  std::vector<std::string> told;
+  std::vector<std::string> lines;
 };
 
 TEST_F(DebugModuleTest, opensThePortTellsItAndAnswersInAThreadOfItsOwn) {
@@ -52,7 +52,7 @@ TEST_F(DebugModuleTest, opensThePortTellsItAndAnswersInAThreadOfItsOwn) {
   harness.cycle();
   ASSERT_TRUE(served);
   const std::string address = "127.0.0.1:" + std::to_string(served->port());
-  EXPECT_EQ(told, std::vector<std::string>{"debug port " + address + ": bin/rdb " + address});
+  EXPECT_EQ(lines, std::vector<std::string>{"debug port " + address + ": bin/rdb " + address});
   EXPECT_EQ(ask(*served, "gte x\n"), "error: no command \"gte\"; did you mean \"get\"? (help lists them)\n");
 }
 
@@ -67,7 +67,7 @@ TEST_F(DebugModuleTest, withoutAPortOnlyWhatItServesJoins) {
   harness.objects().set(options);
   harness.objects().set(agent);
   harness.cycle();
-  EXPECT_TRUE(told.empty());
+  EXPECT_TRUE(lines.empty());
 }
 
 TEST_F(DebugModuleTest, withoutOptionsOrAnAgentThereIsNoPort) {
@@ -77,7 +77,7 @@ TEST_F(DebugModuleTest, withoutOptionsOrAnAgentThereIsNoPort) {
   test::ModuleHarness<DebugModule> alone;
   alone.objects().set(options);
   alone.cycle();
-  EXPECT_TRUE(told.empty());
+  EXPECT_TRUE(lines.empty());
 }
 
 TEST_F(DebugModuleTest, drawingsThatTheCommandLineNamesAreOnFromTheirFirstCycle) {

@@ -4,7 +4,7 @@
 namespace plumbline::gap {
 
 /// The two-joint arm as a leg: a body of 1 kg on a wide sole that its lower link ends in.
-inline Mechanism standingLeg() {
+inline Mechanism legOnItsFoot() {
   Mechanism leg = twoJointArm();
   leg.name = "standing_leg";
   leg.links[0].mass = 1;
@@ -22,7 +22,7 @@ inline Mechanism standingLeg() {
 
 /// armTrial() of small motions, hung up or on the foot.
 inline Trial legTrial(bool floatingBase, double seconds = 6) {
-  Trial trial = armTrial(standingLeg(), seconds, floatingBase ? 0.05 : 0.4);
+  Trial trial = armTrial(legOnItsFoot(), seconds, floatingBase ? 0.05 : 0.4);
   trial.freeBase = floatingBase;
   if (floatingBase) trial.motion = "on the foot";
   return trial;
