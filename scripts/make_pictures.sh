@@ -20,7 +20,7 @@ put() { mv "$1" "doc/img/.$2.part"; mv "doc/img/.$2.part" "doc/img/$2"; echo "do
 look() { node tests/e2e/web/look.mjs "$@" > "$work/look.log" 2>&1 || fail "the browser: $(tail -3 "$work/look.log")"; }
 
 goal() {
-  scripts/run.sh --output "$work/game" > "$work/game.out"
+  scripts/run.sh --output "$work/game" | grep -v "^watch at " > "$work/game.out"  # the page is there for the length of the game
   put "$work/game/track.svg" first-goal.svg
   # The block of text below the picture.
   awk -v sample="$work/game.out" '

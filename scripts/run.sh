@@ -9,6 +9,6 @@ if [[ -f build/web/index.html && " $* " != *" --host"* ]]; then
   page=(--web)
   if [[ -t 1 && " $* " != *" --web"* ]]; then page=(--web --realtime --stay); fi
 fi
-seed=(--seed 7)
+seed=(--seed 3)
 [[ " $* " != *" --seed"* ]] || seed=()
 exec bin/game "${page[@]}" "${seed[@]}" "$@"
