@@ -94,7 +94,7 @@ std::vector<std::string> searchMemorySeeds() {
   const gap::Effect* effect = gap::findEffect("backlash");
   gap::SearchStart start;
   gap::SearchResult result;
-  gap::Candidate candidate;
+  gap::FittedCause candidate;
   candidate.cause = {effect, gap::findPlace(*effect, robot, "pendulum", ""), 0.03, 0, {}};
   result.candidates = {candidate};
   result.lostCycles = {{1, 0, 1}};

@@ -1,12 +1,13 @@
 #!/usr/bin/env bash
 # bin/optimizewalk: any number of jobs finds the same, and a search that was killed goes on to the same bytes.
 source "$(dirname "${BASH_SOURCE[0]}")/../e2e/assert.bash"
-search=("$bin/optimizewalk" --type 0 --task forward turn --generations 12 --population 4 --tries 1 --seconds 2)
+search=("$bin/optimizewalk" --type 1 --task forward turn --generations 12 --population 4 --tries 1 --seconds 2)
 
 "${search[@]}" --jobs 1 --output "$scratch/one.yaml" > "$scratch/one.log"
 "${search[@]}" --jobs 3 --output "$scratch/three.yaml" > "$scratch/three.log"
 cmp "$scratch/one.yaml" "$scratch/three.yaml" || fail "three jobs find another walk than one"
 cmp "$scratch/one.log" "$scratch/three.log" || fail "three jobs say something else than one"
+cmp -s <(tail -n +2 "$scratch/one.yaml") <(tail -n +2 config/robots/simspark_type1/walking.yaml) && fail "the search keeps the walk that it began with: what follows compares nothing"
 [[ ! -e $scratch/one.yaml.search ]] || fail "a search that is done leaves its checkpoint"
 
 # Killed and stopped again and again.

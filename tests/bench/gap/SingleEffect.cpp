@@ -23,7 +23,7 @@ Explanation bestByBic(Evaluator& fine, Evaluator& coarse, int jobs) {
   options.jobs = jobs;
   Explanation best;
   double least = fine.baseFit().fitting - std::log(std::max(2.0, samples / 2));
-  for (const Candidate& candidate : search(fine, coarse, possibleCauses(fine), options))
+  for (const FittedCause& candidate : search(fine, coarse, possibleCauses(fine), options))
     if (candidate.fit.fitting < least) least = candidate.fit.fitting, best = {candidate.cause};
   return best;
 }
@@ -37,7 +37,7 @@ Explanation oracle(const BlindCase& c, Evaluator& fine, Evaluator& coarse, int j
     coarse.setBase(known);
     std::vector<Cause> causes = possibleCauses(fine);
     std::erase_if(causes, [&](const Cause& cause) { return cause.effect->id != truth.effect; });
-    const std::vector<Candidate> list = search(fine, coarse, causes, options);
+    const std::vector<FittedCause> list = search(fine, coarse, causes, options);
     if (!list.empty()) known.push_back(list.front().cause);
   }
   return known;
