@@ -102,11 +102,11 @@ protected:
 
 TEST_F(WalkParametersAtRunTime, areReadAndSetByTheirPath) {
   EXPECT_EQ(get("walk.posture.hipHeight"), "0.218");
-  EXPECT_EQ(get("walk.gaits.forward.posture.hipHeight"), "0.23115");
+  EXPECT_EQ(get("walk.gaits.forward.posture.hipHeight"), "0.23171");
   EXPECT_EQ(get("walk.gaits.recovery.posture.hipHeight"), "nan") << "the same as what is walked";
   EXPECT_EQ(set("walk.posture.hipHeight", "0.21"), "");
   EXPECT_EQ(get("walk.posture.hipHeight"), "0.21");
-  EXPECT_EQ(get("walk.gaits.forward.posture.hipHeight"), "0.23115");
+  EXPECT_EQ(get("walk.gaits.forward.posture.hipHeight"), "0.23171");
   EXPECT_EQ(set("walk.gaits.turn.posture.hipHeight", "0.2"), "");
   EXPECT_EQ(get("walk.gaits.turn.posture.hipHeight"), "0.2");
 }
@@ -123,7 +123,7 @@ TEST_F(WalkParametersAtRunTime, aRefusedValueChangesNothing) {
   EXPECT_EQ(set("walk.step.minDuration", "0.5"),
             "walking parameter step.minDuration must be within [0, 0.09523], not 0.5");
   EXPECT_EQ(get("walk.step.minDuration"), "0.085");
-  EXPECT_EQ(get("walk.gaits.forward.step.minDuration"), "0.088186");
+  EXPECT_EQ(get("walk.gaits.forward.step.minDuration"), "0.087383");
   EXPECT_NE(set("walk.step.hight", "0.02").find("did you mean \"walk.step.height\"?"), std::string::npos);
 }
 
