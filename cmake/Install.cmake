@@ -20,7 +20,7 @@ foreach(script start kill)
 endforeach()
 list(TRANSFORM programs PREPEND plumbline- OUTPUT_VARIABLE completed)
 list(JOIN completed " " PLUMBLINE_COMPLETED)
-configure_file(cmake/completion.bash ${PROJECT_BINARY_DIR}/completion.bash @ONLY)
+configure_file(cmake/completion.bash.in ${PROJECT_BINARY_DIR}/completion.bash @ONLY)
 install(FILES ${PROJECT_BINARY_DIR}/completion.bash DESTINATION share/bash-completion/completions RENAME plumbline)
 install(DIRECTORY ${PLUMBLINE_OUTPUT}/man/ DESTINATION share/man/man1 OPTIONAL FILES_MATCHING PATTERN "*.1")
 

@@ -11,21 +11,14 @@
 #   SEED=7 scripts/optimise_kick.sh 0 config/robots/simspark_type1/motions/kickLong.yaml
 set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
-fail() { echo "optimise_kick.sh: $*; see optimise_kick.sh --help" >&2; exit 2; }
-root=$(cd "$(dirname "${BASH_SOURCE[0]}")/.." && pwd)
-bin=${BIN:-$root/bin}
-(($# == 1 || $# == 2)) || fail "needs a type"
-type=$1 motion=${2:-kickLong} seed=${SEED:-1} workers=${WORKERS:-2} effort=${EFFORT:-1} tries=${TRIES:-1000} folder=${FOLDER:-kick$1.search}
-[[ $type =~ ^[0-9]$ && -d $root/config/robots/simspark_type$type ]] || fail "no robot type '$type'"
-[[ $seed =~ ^[0-9]{1,9}$ ]] || fail "SEED is a whole number, not '$seed'"
+source "$(dirname "${BASH_SOURCE[0]}")/search_stages.bash"
+motion=${2:-kickLong} tries=${TRIES:-1000} folder=${FOLDER:-kick$type.search}
 [[ $tries =~ ^[1-9][0-9]{0,5}$ ]] || fail "TRIES is a whole number from 1, not '$tries'"
-[[ $effort =~ ^[0-9]+(\.[0-9]+)?$ ]] || fail "EFFORT is a number, not '$effort'"
 file=$motion
 for place in "$root/config/motions" "$root/config/robots/simspark_type$type/motions"; do
   [[ ! -f $place/$motion.yaml ]] || file=$place/$motion.yaml
 done
 [[ -f $file ]] || fail "no motion '$motion' of type $type, and no file of that name"
-mkdir -p "$folder"
 
 # The motion with its last keyframe once more.
 withOneMore() {
@@ -38,37 +31,19 @@ stages=("0 0.2 2 1000 40 1 0" "0.3 0.6 0.6 400 60 1 0.01" "1 1 0.4 400 50 1 0.02
 from=$file
 for ((i = 1; i <= ${#stages[@]}; ++i)); do
   read -r steady walk sigma generations population runs weight <<< "${stages[i - 1]}"
-  stage=$folder/stage$i
-  config=$stage/config
-  mkdir -p "$stage"
-  if [[ ! -f $stage/study.yaml ]]; then
-    rm -rf "$config"
-    cp -r "$root/config" "$config"
-    if ((i == 2)); then withOneMore "$from"; else cat "$from"; fi > "$config/robots/simspark_type$type/motions/kickStage.yaml"
-    cat > "$stage/study.new" << STUDY
-task: kick
+  runsOfBest=$((2 * runs))
+  beginStage "$i" motions/kickStage.yaml < <(if ((i == 2)); then withOneMore "$from"; else cat "$from"; fi)
+  # The feet of a robot that walks up push a ball away that is nearer than 158 mm.
+  writeStudy <<< "task: kick
 options: {type: $type, motion: kickStage, spread: 0.012, steady: $steady, walk: $walk, weight: $weight, ceiling: 5}
-optimizer: cmaes
-seed: $seed
-population: $population
-ahead: 1
-sigma: $sigma
-runs: $runs
-runsOfBest: $((2 * runs))
-generations: $(awk -v g="$generations" -v e="$effort" 'BEGIN { g = int(g * e + 0.5); print g < 1 ? 1 : g }')
-# The feet of a robot that walks up push a ball away that is nearer.
-parameters: {ballX: {min: 158}}
-STUDY
-    mv "$stage/study.new" "$stage/study.yaml"
-  fi
-  echo "optimise_kick.sh: stage $i of ${#stages[@]}: a radian of lean is worth $steady"
-  search=("$bin/optserver" "$stage/study.yaml" --config "$config" --folder "$stage/search")
+parameters: {ballX: {min: 158}}"
+  echo "$name: stage $i of ${#stages[@]}: a radian of lean is worth $steady"
   if [[ ! -f $stage/done ]]; then
-    "${search[@]}" --workers "$workers" --port 0
-    "${search[@]}" --measure "$tries" --first-seed 1000000
+    serveStage --workers "$workers" --port 0
+    serveStage --measure "$tries" --first-seed 1000000
     touch "$stage/done"
   fi
   from=$stage/search/kick.yaml
 done
 cp "$from" "$folder/kick.yaml"
-echo "optimise_kick.sh: $folder/kick.yaml"
+echo "$name: $folder/kick.yaml"

@@ -4,8 +4,8 @@
 #include <string_view>
 
 #include "framework/ConfigurationError.h"
-#include "framework/LinkedTwice.h"
 #include "framework/NearestName.h"
+#include "framework/SelfRegistration.h"
 
 namespace plumbline {
 namespace {

@@ -1,6 +1,6 @@
 #include "framework/Registry.h"
 
-#include "framework/LinkedTwice.h"
+#include "framework/SelfRegistration.h"
 
 namespace plumbline {
 

@@ -1,10 +1,9 @@
 #include "optimization/Optimizers.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <tuple>
 
-#include "framework/LinkedTwice.h"
+#include "framework/SelfRegistration.h"
 
 namespace plumbline {
 
@@ -18,11 +17,8 @@ std::vector<OptimizerKind>& registeredKinds() {
 }  // namespace
 
 OptimizerLoader::OptimizerLoader(const OptimizerKind& kind) {
-  std::vector<OptimizerKind>& kinds = registeredKinds();
-  if (std::ranges::count(kinds, std::string_view(kind.name), &OptimizerKind::name) > 0)
-    endLinkedTwice("optimisers", kind.name);
-  const auto place = [](const OptimizerKind& k) { return std::tuple(k.order, std::string_view(k.name)); };
-  kinds.insert(std::ranges::upper_bound(kinds, place(kind), {}, place), kind);
+  registerInOrder(registeredKinds(), kind, "optimisers",
+                  [](const OptimizerKind& k) { return std::tuple(k.order, std::string_view(k.name)); });
 }
 
 const std::vector<std::string>& optimizerNames() {

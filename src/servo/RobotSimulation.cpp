@@ -5,8 +5,8 @@
 #include <sstream>
 #include <stdexcept>
 
-#include "framework/LinkedTwice.h"
 #include "framework/NearestName.h"
+#include "framework/SelfRegistration.h"
 
 namespace plumbline::servo {
 namespace {

@@ -1,10 +1,9 @@
 #include "situation/SituationKinds.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <tuple>
 
-#include "framework/LinkedTwice.h"
+#include "framework/SelfRegistration.h"
 
 namespace plumbline {
 namespace {
@@ -16,20 +15,13 @@ Kinds& registeredKinds() {
   return kinds;
 }
 
-std::string_view nameOf(const std::unique_ptr<const SituationKind>& kind) { return kind->traits.name; }
-
-auto placeOf(const std::unique_ptr<const SituationKind>& kind) {
-  return std::tuple(kind->traits.order, nameOf(kind));
-}
-
 }  // namespace
 
 SituationKindLoader::SituationKindLoader(std::unique_ptr<const SituationKind> kind) {
-  Kinds& kinds = registeredKinds();
-  if (std::ranges::count(kinds, nameOf(kind), nameOf) > 0)
-    endLinkedTwice("kinds of situations", kind->traits.name);
-  const auto next = std::ranges::upper_bound(kinds, placeOf(kind), {}, placeOf);
-  kinds.insert(next, std::move(kind));
+  registerInOrder(registeredKinds(), std::move(kind), "kinds of situations",
+                  [](const std::unique_ptr<const SituationKind>& k) {
+                    return std::tuple(k->traits.order, std::string_view(k->traits.name));
+                  });
 }
 
 const Kinds& situationKinds() { return registeredKinds(); }

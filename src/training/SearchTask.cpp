@@ -2,11 +2,9 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 #include "framework/ConfigurationError.h"
-#include "framework/LinkedTwice.h"
 #include "framework/NearestName.h"
+#include "framework/SelfRegistration.h"
 
 namespace plumbline::training {
 namespace {
@@ -24,10 +22,8 @@ std::string SearchTask::file(const Eigen::VectorXd&, const std::string&,
 }
 
 TaskLoader::TaskLoader(const TaskKind& kind) {
-  std::vector<TaskKind>& kinds = registered();
-  if (std::ranges::count(kinds, std::string_view(kind.name), &TaskKind::name) > 0)
-    endLinkedTwice("tasks", kind.name);
-  kinds.insert(std::ranges::upper_bound(kinds, std::string_view(kind.name), {}, &TaskKind::name), kind);
+  registerInOrder(registered(), kind, "tasks",
+                  [](const TaskKind& k) { return std::tuple(0, std::string_view(k.name)); });
 }
 
 const std::vector<TaskKind>& searchTasks() { return registered(); }

@@ -19,6 +19,9 @@ source "$prefix/share/bash-completion/completions/plumbline-gap"
 complete_words() { COMP_WORDS=("$@") COMP_CWORD=$(($# - 1)) COMPREPLY=(); _plumbline; echo "${COMPREPLY[*]}"; }
 [[ $(complete_words plumbline-game --se) == --seed ]] || fail "completion of --se: $(complete_words plumbline-game --se)"
 [[ " $(complete_words plumbline-gap dia) " == *" diagnose "* ]] || fail "completion of dia: $(complete_words plumbline-gap dia)"
+for program in "$prefix"/lib/plumbline/bin/*; do
+  [[ $program == *.sh ]] || complete -p "plumbline-${program##*/}" > /dev/null 2>&1 || fail "no completion of plumbline-${program##*/}"
+done
 [[ " $(complete_words plumbline-gap diagnose --js) " == *" --json "* ]] || fail "completion of --js: $(complete_words plumbline-gap diagnose --js)"
 
 # The examples, each with one component alone.

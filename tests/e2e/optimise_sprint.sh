@@ -1,13 +1,13 @@
 # scripts/optimise_sprint.sh: both stages in small, the second from what the first found, and then the choice; the same command again
-# searches nothing. The choice takes long, so a stub stands in for it.
+# searches nothing. The choice takes half a minute, so a script that copies is called in its place.
 source "$(dirname "$0")/assert.bash"
 mkdir -p "$scratch/bin"
 ln -s "$(realpath "$bin")/optserver" "$scratch/bin/optserver"
-cat > "$scratch/bin/optimizewalk" << 'STUB'
+cat > "$scratch/bin/optimizewalk" << 'SCRIPT'
 #!/bin/bash
 while (($#)); do case $1 in --from) from=$2 ;; --output) output=$2 ;; esac; shift; done
 cp "$from/walking.yaml" "$output"
-STUB
+SCRIPT
 chmod +x "$scratch/bin/optimizewalk"
 search() { EFFORT=0.001 WORKERS=1 FOLDER=$scratch/sprint BIN=$scratch/bin scripts/optimise_sprint.sh "$@" > "$scratch/log" 2>&1 || fail "$(tail -3 "$scratch/log")"; }
 search 2 turn

@@ -64,7 +64,7 @@ void OptimizationClient::connect() {
   const std::string robot = types->nameOf(static_cast<int>(number(options, "type", 0)));
   if (robot != theRobotDescription->name)
     throw ConfigurationError("the server's kick is for " + robot + ", this robot is " +
-                             theRobotDescription->name + "");
+                             theRobotDescription->name + ": give bin/agent --type");
   const motion::KickWish wish;
   wanted_.motion = word(options, "motion", "kickRight");
   wanted_.foot = word(options, "side", "right") == "left" ? Side::left : Side::right;

@@ -1,10 +1,9 @@
 #include "simulation/physics/Physics.h"
 
-#include <algorithm>
 #include <stdexcept>
 #include <tuple>
 
-#include "framework/LinkedTwice.h"
+#include "framework/SelfRegistration.h"
 #include "simulation/physics/PhysicsEngine.h"
 
 namespace plumbline::simulation {
@@ -19,11 +18,8 @@ std::vector<PhysicsEngine>& registered() {
 }  // namespace
 
 PhysicsLoader::PhysicsLoader(const PhysicsEngine& engine) {
-  std::vector<PhysicsEngine>& engines = registered();
-  const auto place = [](const PhysicsEngine& e) { return std::tuple(e.order, std::string_view(e.name)); };
-  if (std::ranges::count(engines, std::string_view(engine.name), &PhysicsEngine::name) > 0)
-    endLinkedTwice("physics engines", engine.name);
-  engines.insert(std::ranges::upper_bound(engines, place(engine), {}, place), engine);
+  registerInOrder(registered(), engine, "physics engines",
+                  [](const PhysicsEngine& e) { return std::tuple(e.order, std::string_view(e.name)); });
 }
 
 const std::vector<std::string>& physicsEngines() {

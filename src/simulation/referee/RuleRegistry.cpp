@@ -1,9 +1,8 @@
 #include "simulation/referee/RuleRegistry.h"
 
-#include <algorithm>
 #include <tuple>
 
-#include "framework/LinkedTwice.h"
+#include "framework/SelfRegistration.h"
 
 namespace plumbline::simulation {
 
@@ -17,10 +16,8 @@ std::vector<RuleEntry>& registered() {
 }  // namespace
 
 RuleLoader::RuleLoader(RuleEntry entry) {
-  std::vector<RuleEntry>& rules = registered();
-  if (std::ranges::count(rules, entry.name, &RuleEntry::name) > 0) endLinkedTwice("rules", entry.name);
-  const auto place = [](const RuleEntry& rule) { return std::tie(rule.order, rule.name); };
-  rules.insert(std::ranges::upper_bound(rules, place(entry), {}, place), std::move(entry));
+  registerInOrder(registered(), std::move(entry), "rules",
+                  [](const RuleEntry& rule) { return std::tuple(rule.order, std::string_view(rule.name)); });
 }
 
 const std::vector<RuleEntry>& registeredRules() { return registered(); }
