@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Before the compiler of each source. A bundle is a source that includes others.
 # - It may fail because names in them meet: then its halves are compiled, and so on, and their objects joined. So an error in
-#   a source is told as if there were no bundles, and no name has to be unlike another file's.
+#   a source reads as if there were no bundles, and no name has to be unlike another file's.
 # - Where one of its sources alone was edited since it was built, that one and the others, in parts, are compiled at the same
 #   time and joined. While the same one is edited, nothing else is compiled again.
 #   compile_bundle.sh COMPILER OPTION... -MD -MT X -MF DEPENDENCIES -o OBJECT -c SOURCE

@@ -3,7 +3,7 @@
 # `make cluster`. One after the other, and whatever they start is ended with them, also by Ctrl-C.
 #   scripts/cluster_tests.sh [NAME]...     mpi, namespaces, slurm [all]
 # Logs go to build/SimRelease/logs/cluster-NAME.log. The last line is "N passed, N failed"; a test that this machine does not
-# allow is told as left out.
+# allow is listed as left out.
 # Example: scripts/cluster_tests.sh mpi
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"

@@ -31,7 +31,7 @@ killJob() { # job; tries, broken and row are the caller's
     freshWork
     playJob "$name" "$scratch/work" "$place"
     ((i % 20 == 19)) && [[ -t 2 ]] && printf '\r%-20s %d of %d \r' "$name" $i "$kills" >&2
-    [[ -s $scratch/told ]] || continue # it ended before it came there
+    [[ -s $scratch/faults ]] || continue # it ended before it came there
     tries=$((tries + 1))
     # Or a process that it made of itself was killed, and it went on without or says so.
     ((status == 137 || status == goodStatus)) || grep -aq "^${programOf[$name]}: " "$scratch/err" ||

@@ -79,7 +79,7 @@ if [[ ! $seconds && ! $terminal ]]; then seconds=60; fi
 
 scratch=$(mktemp -d) || exit 2
 children=()
-# All are told at once; who has not gone half a second later is ended.
+# All get the signal at once; who has not gone half a second later is ended.
 finish() {
   trap '' INT TERM HUP
   local child i

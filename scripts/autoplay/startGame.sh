@@ -22,7 +22,7 @@ usage: startGame.sh [options] LEFT RIGHT [-- OPTIONS OF THE SERVER]
                      longest time to wait for players [120], without any change [60], in all [7200]; of real time
   --network own|shared|auto
                      own: a network of the game's own, where ports 3100 and 3200 are free for any start script;
-                     auto: own if a start script needs it, as it is told no ports
+                     auto: own if a start script needs it, as it gets no ports
   --verbose          a line per second
 examples:
   scripts/autoplay/startGame.sh bin/start.sh "bin/start.sh --team Other"
@@ -68,7 +68,7 @@ for value in "$halfTime" "$patience" "$hang" "$limit"; do isNumber "$value" || f
 [[ $network == own || $network == shared || $network == auto ]] || fail "--network '$network': own, shared or auto"
 for program in simulator watchgame; do [[ -x $bin/$program ]] || fail "no $bin/$program: make SimRelease builds it"; done
 
-# A team's command: a start script is called in its folder. isPlain: it is told the host and nothing else.
+# A team's command: a start script is called in its folder. isPlain: it gets the host and nothing else.
 ownStart=$root/bin/start.sh
 isPlain() { [[ $1 != *'{'* && $(readlink -f "${1%% *}" 2> /dev/null) != "$ownStart" ]]; }
 for team in "${teams[@]}"; do

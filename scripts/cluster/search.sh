@@ -39,7 +39,7 @@ server() {
   (($# == 2)) || fail "server needs STUDY and FOLDER"
   local study=$1 folder=$2 status=0
   rm -f "$folder/address" "$folder/port"
-  # The address is told once the port is open, and whole.
+  # The address is written once the port is open, and whole.
   (
     until [[ -s $folder/port ]]; do sleep 0.2; done
     echo "${SLURMD_NODENAME-$(hostname)} $(< "$folder/port")" > "$folder/address.new"

@@ -81,7 +81,7 @@ builds SimRelease
 printf '#include "math/One.h"\nnamespace { int helper() { return 1; } }\nint one() { return helper(); }\n' > src/math/One.cpp
 printf '#include "math/One.h"\n#include "math/Two.h"\nnamespace { int helper() { return 2; } }\nint two() { return one() * helper(); }\n' > src/math/Two.cpp
 builds SimRelease
-contains "names that meet are told" "$log" "unity_math-1_cxx.cxx: in halves, as: "
+contains "names that meet are listed" "$log" "unity_math-1_cxx.cxx: in halves, as: "
 contains "which ones" "$log" "helper"
 expect "each has its own" "$(bin/tool)" "two 2"
 builds SimRelease
@@ -93,12 +93,12 @@ sed -i 's/return 2/return 3/' src/math/Two.cpp
 builds SimRelease
 expect "a source of them" "$(bin/tool)" "two 3"
 
-# An error is told of the source alone, and what was built stays away.
+# An error names the source alone, and what was built stays away.
 sed -i 's/return 3/return three/' src/math/Two.cpp
 build SimRelease
 expect "a wrong source fails" "$status" 2
 contains "the wrong source" "$log" "src/math/Two.cpp:3:"
-expect "it is told once" "$(grep -c "error:.*three" <<< "$log")" 1
+expect "it is said once" "$(grep -c "error:.*three" <<< "$log")" 1
 sed -i 's/return three/return 3/' src/math/Two.cpp
 builds SimRelease
 

@@ -66,7 +66,7 @@ builds SimRelease
 expect "removed module is gone" "$(bin/agent)" "3 modules"
 lacks "compile_commands.json" "$(cat compile_commands.json)" Joints.cpp
 
-# A folder without its line is told.
+# A folder without its line is an error.
 mkdir src/vision
 printf 'int see() { return 1; }\n' > src/vision/See.cpp
 build SimRelease

@@ -36,6 +36,6 @@ expectEqual "$(use simulation "$prefix/share/plumbline/config")" "after 1.0 s it
 expectEqual "$(use gap)" "many, backlash known" gap
 ! ldd "$scratch/example/build/use_walking" | grep -q libode || fail "walking alone brings ODE along"
 
-# A component that is not there is told.
+# A component that is not there is an error.
 ! cmake -S "$scratch/example" -B "$scratch/other" -G Ninja "-DCMAKE_PREFIX_PATH=$prefix" -Dcomponents=moon > "$scratch/log" 2>&1 || fail "component moon is there"
 grep -q "no component 'moon'" "$scratch/log" || fail "component moon: $(cat "$scratch/log")"

@@ -229,7 +229,7 @@ build test-math
 contains "skipped test" "$log" "1 passed, 1 skipped"
 expect "skipped test: last line" "$(tail -1 <<< "$log")" "1 passed, 0 failed"
 
-# Packages: nothing missing is silent and quick; who may not install is told so in one line.
+# Packages: nothing missing is silent and quick; who may not install reads so in one line.
 expect "nothing missing" "$(scripts/install_packages.sh 2>&1)" ""
 expect "PACKAGES=no" "$(PACKAGES=no scripts/install_packages.sh no-such-list.txt 2>&1)" ""
 mkdir elsewhere doc

@@ -63,7 +63,7 @@ build Moon
 expect "make of an unknown target: status" "$status" 2
 contains "make of an unknown target" "$log" "no target 'Moon'"
 
-# Without CMake, the way to it is told.
+# Without CMake, the error says how to get it.
 mkdir tools
 for tool in bash sed awk cat sort env dirname; do ln -s "$(command -v $tool)" tools/$tool; done
 text=$(PATH=$project/tools ./configure.sh --target SimRelease 2>&1)

@@ -29,7 +29,7 @@ TEST(RepeatNoiseTest, withAStrongCauseOnceItIsKnown) {
   const std::optional<Evidence> evidence = evidenceWithoutLosses(byRepeats, causes, 1);
   ASSERT_TRUE(evidence);
   for (std::size_t s = 0; s < 2; ++s) EXPECT_NEAR(evidence->noise(0, s).sigma, noise, 0.15 * noise) << s;
-  EXPECT_FALSE(evidenceWithoutLosses(*evidence, causes, 1)) << "told already";
+  EXPECT_FALSE(evidenceWithoutLosses(*evidence, causes, 1)) << "known already";
 }
 
 TEST(RepeatNoiseTest, lostCommandsAreNoNoise) {
@@ -37,7 +37,7 @@ TEST(RepeatNoiseTest, lostCommandsAreNoNoise) {
   const Evidence evidence = evidenceOf(trials, 1), byRepeats(trials);
   for (std::size_t s = 0; s < 2; ++s) {
     EXPECT_GT(byRepeats.noise(0, s).sigma, 5 * noise);
-    // Losses too small to be told stay in it.
+    // Losses too small to be seen stay in it.
     EXPECT_LT(evidence.noise(0, s).sigma, 1.8 * noise);
     EXPECT_GE(evidence.noise(0, s).sigma, 0.9 * noise);
   }

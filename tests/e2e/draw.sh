@@ -5,7 +5,7 @@ expectError 2 'agent: --draw: no drawing is called "belief:bal"; did you mean "b
 expectError 2 'match.sh: --draw shows on the page: not with --no-page; see match.sh --help' scripts/match.sh --draw team --no-page
 expectError 2 'match.sh: --draw: no drawing is called "tema"; did you mean "team"?; see match.sh --help' scripts/match.sh --draw tema
 
-# A viewer: notes the names of all sets that it is told to show, and how many shapes of each came.
+# A viewer: notes the names of all sets that it has to show, and how many shapes of each came.
 python3 - "$scratch" << 'END' &
 import re, socket, sys
 from collections import Counter

@@ -1,5 +1,5 @@
 # An agent with a simulator of its own tries kicks for an optimiser, with a tiny budget: behind TCP, then in the agent itself.
-# What it cannot do is told in one line.
+# What it cannot do is said in one line.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 cp -r config "$scratch/config"
 echo 'rollSeconds: 2' > "$scratch/config/OptimizeKick.yaml"
@@ -32,15 +32,15 @@ grep -q "^ball: \[" "$scratch/found.kick.yaml" || fail "what was found is no kic
 simulator=()
 status=0; agent 'host: ""' || status=$?
 expectEqual "$status" 2 "status without ground truth"
-grep -q "the simulator sends no ground truth: start it with --ground-truth" "$scratch/agent.err" || fail "not told: $(< "$scratch/agent.err")"
+grep -q "the simulator sends no ground truth: start it with --ground-truth" "$scratch/agent.err" || fail "not said: $(< "$scratch/agent.err")"
 cp "$scratch/study.yaml" "$scratch/plain.yaml"
 sed -i 's/^options: {/options: {ceiling: 0.7, /' "$scratch/study.yaml"
 serve low
 status=0; agent "port: $(< "$scratch/low/port")" || status=$?
 expectEqual "$status" 2 "status with an option that an agent cannot try"
-grep -q "the server's kick has the option ceiling; an agent cannot try that, bin/optworker can" "$scratch/agent.err" || fail "not told: $(< "$scratch/agent.err")"
+grep -q "the server's kick has the option ceiling; an agent cannot try that, bin/optworker can" "$scratch/agent.err" || fail "not said: $(< "$scratch/agent.err")"
 sed 's/task: kick/task: standUp/' "$scratch/plain.yaml" > "$scratch/study.yaml"
 serve other
 status=0; agent "port: $(< "$scratch/other/port")" || status=$?
 expectEqual "$status" 2 "status with another task"
-grep -q "the server's task is standUp; an agent can try kicks (task kick)" "$scratch/agent.err" || fail "not told: $(< "$scratch/agent.err")"
+grep -q "the server's task is standUp; an agent can try kicks (task kick)" "$scratch/agent.err" || fail "not said: $(< "$scratch/agent.err")"

@@ -7,7 +7,7 @@ games=(env HALF=3 SEED=7 JOBS=1)
 cat > "$scratch/start.sh" << END
 #!/usr/bin/env bash
 # HOST PORT TEAM NUMBER
-echo "\$@" > "$scratch/told"
+echo "\$@" > "$scratch/started"
 for ((i = 1; i <= \$4; ++i)); do
   "$bin/agent" --host "\$1" --port "\$2" --team "\$3" --number \$i --type 1 --config "$PWD/config" > /dev/null 2>&1 < /dev/null &
 done
@@ -15,8 +15,8 @@ END
 chmod +x "$scratch/start.sh"
 "${games[@]}" GAMES=2 PLAYERS=1 OUT="$scratch/games" OTHER="$scratch/start.sh {host} {agent} {team} {players}" tests/bench/games/games.sh \
   > "$scratch/out" 2>&1 || fail "games: $(cat "$scratch/out")"
-read -r host port team players < "$scratch/told"
-expectEqual "$host $team $players" "127.0.0.1 Other 1" "what the other team was told"
+read -r host port team players < "$scratch/started"
+expectEqual "$host $team $players" "127.0.0.1 Other 1" "what the other team got"
 [[ $port =~ ^[0-9]+$ ]] || fail "its port: '$port'"
 grep -q '^Games of 2 x 3 s, 1 against 1 on the embedded simulator, .*, seeds 7 to 8, played on [0-9-]*; ' "$scratch/games.md" || fail "table: $(cat "$scratch/games.md")"
 grep -q '^| | Team | Other |$' "$scratch/games.md" || fail "columns: $(cat "$scratch/games.md")"
@@ -72,7 +72,7 @@ wait $ended || status=$?
 expectEqual "$status" 143 "status of games that were ended"
 ! pgrep -f "$scratch/ended" > /dev/null || fail "left: $(pgrep -af "$scratch/ended")"
 
-# What is wrong is told before anything starts.
+# What is wrong is said before anything starts.
 expectError 2 "games.sh: OTHER: no start script /nowhere/start.sh" "${games[@]}" OTHER=/nowhere/start.sh OUT="$scratch/no" tests/bench/games/games.sh
 expectError 2 "games.sh: PLAYERS='12' is not 1 to 11" "${games[@]}" OTHER=/nowhere PLAYERS=12 tests/bench/games/games.sh
 expectError 2 "games.sh: PLAYERS needs OTHER, the command that starts the other team" "${games[@]}" PLAYERS=4 tests/bench/games/games.sh

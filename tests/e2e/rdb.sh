@@ -126,7 +126,7 @@ grep -qE '^-?[0-9]+\.[0-9]{7}' "$scratch/window" || fail "a window gets rounded 
 type_ 'plot off ball'
 gone() { ! shows '[▁▂▃▄▅▆▇█]'; }
 waitFor gone
-# The real one draws what it was told, and one without windows says what is missing.
+# The real one draws what was sent, and one without windows says what is missing.
 awk '/^plot .*relative\.y/ && !n { n = 1; print; next } n && /^plot/ { exit } n' "$scratch/window" | GNUTERM=dumb gnuplot > "$scratch/drawn" 2> "$scratch/drawn.err" || fail "gnuplot: $(cat "$scratch/drawn.err")"
 grep -q 'BallPos.relative.y' "$scratch/drawn" || fail "gnuplot draws nothing"
 "${terminal[@]}" send-keys C-c

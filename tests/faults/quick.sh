@@ -1,4 +1,4 @@
-# A few of the jobs of `make faults` and `make stops`: the first calls of each kind fail, or a signal comes, and a program ends
+# A few of the jobs of `make faults`, `make kills` and `make stops`: the first calls of each kind fail, or a signal comes, and a program ends
 # well or says why.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
@@ -7,3 +7,4 @@ export FAULTS_OUT
 trap 'rm -rf "$FAULTS_OUT"' EXIT
 scripts/faults.sh --quick
 scripts/stops.sh --quick
+KILLS=2 scripts/kills.sh gap_apply

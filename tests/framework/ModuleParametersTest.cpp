@@ -93,7 +93,7 @@ TEST_F(ModuleParametersTest, areReadAndSetByName) {
   EXPECT_EQ(moduleParameter(*module, description, "filter.timeConstant"), "0.5");
   setModuleParameter(*module, description, "upper", "7.5");
   EXPECT_EQ(module->upper, 7.5);
-  EXPECT_EQ(module->width, 6.5) << "the module is told";
+  EXPECT_EQ(module->width, 6.5) << "the module gets it";
 }
 
 TEST_F(ModuleParametersTest, aRefusedValueLeavesTheOldOne) {

@@ -25,7 +25,7 @@ TEST(RepeatLimit, tellsWhatWasKeptBackWhenNoMoreComes) {
   const auto overdue = limit.takeOverdue(2.5);
   ASSERT_EQ(overdue.size(), 1u);
   EXPECT_EQ(overdue[0], std::make_pair(std::string("lost"), 4u));
-  EXPECT_TRUE(limit.takeOverdue(9).empty()) << "each is told once";
+  EXPECT_TRUE(limit.takeOverdue(9).empty()) << "each is said once";
 }
 
 TEST(RepeatLimit, kindsWithoutNumberCountAsOne) {

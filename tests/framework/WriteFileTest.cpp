@@ -33,7 +33,7 @@ TEST(WriteFile, saysWhatCannotBeWritten) {
   }
 }
 
-/// 0 if a file that may not grow so far is left as it was, with the reason told.
+/// 0 if a file that may not grow so far is left as it was, with the reason said.
 int statusOfWritingTooMuch(const std::string& path) {
   signal(SIGXFSZ, SIG_IGN);
   const rlimit limit{1000, 1000};

@@ -38,7 +38,7 @@ void replayFeed(std::string_view bytes) {
     feed.command(RecordingRate{1e9});
     feed.command(PlayRecording{false});
     const auto latest = broadcast.latest(Channel::replay);
-    if (latest.message) require(nlohmann::json::accept(*latest.message), "a page is told what is no JSON");
+    if (latest.message) require(nlohmann::json::accept(*latest.message), "a page gets what is no JSON");
   });
 }
 

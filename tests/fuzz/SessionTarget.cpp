@@ -54,14 +54,14 @@ struct Table {
       if (!player || simulation.message(*player).empty()) continue;
       simspark::ServerMessage message;
       const auto problem = simspark::parseServerMessage(simulation.message(*player), message);
-      require(!problem, "an agent is told what it cannot read");
+      require(!problem, "an agent gets what it cannot read");
     }
   }
 
-  /// What monitors are told at the end.
+  /// What monitors get at the end.
   void look() {
     simspark::SceneState state;
-    require(state.update(scene.full(simulation)).empty(), "monitors are told what they cannot read");
+    require(state.update(scene.full(simulation)).empty(), "monitors get what they cannot read");
     simspark::FieldState field;
     require(simspark::readFieldMessage(fieldMessage(simulation), field).empty(),
             "the compact port tells nonsense");

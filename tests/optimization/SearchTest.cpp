@@ -30,7 +30,7 @@ std::vector<double> costsOf(const Trial& trial) {
   return costs;
 }
 
-/// All that may be handed out is told in an order that the seed shuffles.
+/// All that may be handed out gets its result in an order that the seed shuffles.
 void runShuffled(Search& search, std::uint64_t seed) {
   Random random(seed);
   std::vector<Trial> open;
@@ -75,7 +75,7 @@ TEST(Search, aWrongNumberOfCostsIsAnError) {
   } catch (const std::invalid_argument& error) {
     EXPECT_STREQ(error.what(), "2 costs for 1 runs");
   }
-  EXPECT_TRUE(search.find(trial.number)) << "it can still be told";
+  EXPECT_TRUE(search.find(trial.number)) << "its result may still come";
 }
 
 TEST(Search, whatIsNoNumberAndWhatNobodyTellsIsCountedAndHarmless) {

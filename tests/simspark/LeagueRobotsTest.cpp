@@ -36,7 +36,7 @@ TEST(LeagueRobots, AnotherTypeIsRefusedWithThoseThereAre) {
   }
 }
 
-/// What the league's server has is told by its files to four digits and more; a walk repeats only with all.
+/// The league's files give what its server has to four digits and more; a walk repeats only with all.
 TEST(LeagueRobots, KeepEveryDigitOfTheirFiles) {
   const RobotModel& robot = simsparkRobot(3);
   EXPECT_EQ(robot.linkMovedBy(lHipYawPitch).axis, Vec3(0, 1, -1).normalized());

@@ -115,7 +115,7 @@ TEST_F(TwoRobots, aClientSeesWhatIs) {
   EXPECT_EQ(state.scoreLeft, 2);
   EXPECT_EQ(state.playMode, "Goal_Right");
   EXPECT_EQ(state.teamRight, "BB");
-  EXPECT_EQ(count(scene.difference(simulation), "score"), 0) << "told once";
+  EXPECT_EQ(count(scene.difference(simulation), "score"), 0) << "sent once";
 }
 
 TEST_F(TwoRobots, theSelectedRobotIsMarked) {
@@ -127,7 +127,7 @@ TEST_F(TwoRobots, theSelectedRobotIsMarked) {
   EXPECT_EQ(count(scene.difference(simulation), "(nd SMN (setVisible 0))"), 1);
 }
 
-/// Goals, walls, flags, rules and what monitors are told follow the sizes of the field.
+/// Goals, walls, flags, rules and what monitors get follow the sizes of the field.
 TEST(MonitorScene, aSmallFieldIsSentAsItIs) {
   SimulationConfig config;
   config.world.field.length = 9;

@@ -70,7 +70,7 @@ inline simulation::ServerConfig inStep(int waitForAgents = 1) {
   return config;
 }
 
-/// An agent that says what it is told.
+/// An agent that repeats what it gets.
 class TestAgent {
 public:
   TestAgent(int port, int type, const std::string& team, int unum) {

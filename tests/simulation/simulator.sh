@@ -86,7 +86,7 @@ start --seed 5 --no-realtime --stats "$work/stats" -v
 expect "what it prints" "$(head -1 "$work/out")" "simulator: agent port $agent, monitor port $monitor, seed 5"
 scene='(scene rsg/agent/nao/nao_hetero.rsg 0)(syn)'
 expect "an agent is answered" "$(talk "$agent" "\\0\\0\\0\\x2b$scene")" "(time (now 0.04))(GS"
-expect "a monitor is told" "$(talk "$monitor" "")" "((FieldLength 30)(Fi"
+expect "a monitor gets the scene" "$(talk "$monitor" "")" "((FieldLength 30)(Fi"
 expect "a second one on the same port" \
   "$("$simulator" --port "$agent" --monitor-port 0 2>&1 > /dev/null) $?" \
   "simulator: port $agent of 127.0.0.1 is in use; choose another or 0 2"
@@ -100,7 +100,7 @@ expect "no half-written file" "$(find "$work" -name '*.part')" ""
 # A field of its own, and one that cannot be.
 printf 'length: 9\nwidth: 6\n' > "$work/field.yaml"
 start --no-realtime --field "$work/field.yaml"
-expect "the field is told" "$(talk "$monitor" "" 36)" "((FieldLength 9)(FieldWidth 6)(F"
+expect "the field is sent" "$(talk "$monitor" "" 36)" "((FieldLength 9)(FieldWidth 6)(F"
 kill -INT "$pid"
 finish "$pid"
 printf 'length: 9\nwidht: 6\n' > "$work/field.yaml"

@@ -92,8 +92,9 @@ FieldView fieldView(const simspark::See& see, const Pose3& T_ground_head, const 
     if (index >= 0) view.landmarks.push_back({index, project(object.position)});
   }
   for (const simspark::SeenLine& line : see.lines)
-    view.lines.push_back({project(line.a), project(line.b), !atImageBorder(line.a.azimuth, line.a.elevation),
-                          !atImageBorder(line.b.azimuth, line.b.elevation)});
+    view.lines.push_back({project(line.a), project(line.b),
+                          !atImageBorder(line.a.azimuth, line.a.elevation, noise),
+                          !atImageBorder(line.b.azimuth, line.b.elevation, noise)});
   return view;
 }
 

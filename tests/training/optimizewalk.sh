@@ -34,7 +34,7 @@ wait $pid 2> /dev/null || true
 expectError 2 "optimizewalk: $scratch/other.yaml.search is of a search with other options, another walk to begin with or another program; remove it to begin anew" \
   "${search[@]}" --seed 2 --output "$scratch/other.yaml"
 
-# Another optimiser by its name; it goes on after a stop as well, from the costs that it was told.
+# Another optimiser by its name; it goes on after a stop as well, from the costs that it got.
 swarm=("${search[@]}" --optimizer pso)
 "${swarm[@]}" --output "$scratch/swarm.yaml" > /dev/null
 cmp -s "$scratch/one.yaml" "$scratch/swarm.yaml" && fail "pso finds the walk of cmaes"

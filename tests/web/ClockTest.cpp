@@ -111,7 +111,7 @@ TEST_F(Clock, aViewerGetsNoMoreThanItWants) {
     ASSERT_EQ(monitor.receive(5), Connection::Status::message);
     if (viewer.receive(0) == Connection::Status::message) ++messages;
   }
-  EXPECT_LE(messages, 1) << "the others are told all the time";
+  EXPECT_LE(messages, 1) << "the others get all messages";
   EXPECT_TRUE(viewer.connected());
 }
 

@@ -66,7 +66,7 @@ void Striker2::play(BehaviorOutput& output) {
   const bool kick = action_.kind == StrikerAction::Kind::kick;
   output.skill = kick ? Skill::kick : Skill::dribble;
   output.tolerance = kick ? std::clamp(action_.tolerance, leastTolerance, mostTolerance) : 0;
-  // A kick is told how far, a little less than it carries, so that no longer one is taken; what is dribbled
+  // A kick aims a little nearer than it carries, so that no longer one is taken; what is dribbled
   // goes on.
   constexpr double less = 0.4;  // [m]
   const double distance =

@@ -34,8 +34,9 @@ void AugmentedSelfLocator::look() {
       view_.landmarks.push_back({index, project(seen.position)});
   view_.lines.clear();
   for (const PolarLine& seen : thePolarLinePercept->lines)
-    view_.lines.push_back({project(seen.a), project(seen.b), !atImageBorder(seen.a.azimuth, seen.a.elevation),
-                           !atImageBorder(seen.b.azimuth, seen.b.elevation)});
+    view_.lines.push_back({project(seen.a), project(seen.b),
+                           !atImageBorder(seen.a.azimuth, seen.a.elevation, vision),
+                           !atImageBorder(seen.b.azimuth, seen.b.elevation, vision)});
 }
 
 void AugmentedSelfLocator::drawSeen(Drawing& drawing) const {

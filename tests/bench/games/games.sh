@@ -6,7 +6,7 @@
 # [build/bench/games]. Before the games one robot tries set starts (starts.sh). Writes OUT.json and OUT.md; what the
 # programs said stays in the new folder OUT. `make bench-games` builds what it needs and writes doc/results/games.md.
 # With OTHER, the command that starts a team that is not ours, nothing but games against that team, PLAYERS [11] on each
-# side: {host}, {agent}, {monitor}, {team} and {players} in it are replaced. A script without them is told the host
+# side: {host}, {agent}, {monitor}, {team} and {players} in it are replaced. A script without them gets the host
 # alone. With OTHER_NAME as well, what that team is called, the table goes into games-peers/ beside OUT and with those of
 # other teams into games-peers.md there, of which make_results.sh makes doc/results/games-peers.md. SERVER=rcssserver3d plays
 # them on the league's server, as scripts/autoplay/startGame.sh finds it, instead of the embedded simulator.
@@ -26,7 +26,7 @@ work=$out
 rm -rf "$work"
 mkdir -p "$work"
 
-# The scripts of scripts/autoplay end their games and leave nothing behind if they are told to end, so a signal goes on to
+# The scripts of scripts/autoplay end their games and leave nothing behind if a signal ends them, so a signal goes on to
 # the one that runs.
 running=""
 autoplay() { # script, its arguments

@@ -9,7 +9,7 @@
 namespace plumbline::reality {
 
 /// One joint's servo, gear and encoder with all that effects do to them: the contract's law, and what it
-/// lacks. It knows no physics engine: it is told positions and speeds, and tells torques.
+/// lacks. It knows no physics engine: it gets positions and speeds, and gives torques.
 class Drive {
 public:
   Drive(const Mechanism& robot, int joint, const std::vector<RealityEffect>& effects, double step);

@@ -2,12 +2,12 @@
 # 3.1 to 3.3 of the thesis in Markdown. Variables: types, tries, first, day, json.
 BEGIN {
   # Thesis: type, time by hand and optimised [ms], success by hand and optimised [%], or distance [m] of the kick.
-  told("Front", "0 2660 620 80.6 86.4|1 2660 960 64.6 90.0|2 2660 720 65.2 91.6|3 2660 1060 65.6 93.7|4 2660 680 77.0 81.8")
-  told("Back", "0 2880 860 96.7 95.7|1 2880 680 78.3 84.5|2 2880 1100 94.5 88.9|3 2880 940 77.7 77.5|4 2880 1200 79.5 90.1")
-  told("Kick", "0 3500 500 3.2 12.1|1 3500 1300 3.8 11.2|2 3500 460 0.4 13.7|3 3500 1460 3.3 13.9|4 3500 1320 3.2 14.2")
+  addThesis("Front", "0 2660 620 80.6 86.4|1 2660 960 64.6 90.0|2 2660 720 65.2 91.6|3 2660 1060 65.6 93.7|4 2660 680 77.0 81.8")
+  addThesis("Back", "0 2880 860 96.7 95.7|1 2880 680 78.3 84.5|2 2880 1100 94.5 88.9|3 2880 940 77.7 77.5|4 2880 1200 79.5 90.1")
+  addThesis("Kick", "0 3500 500 3.2 12.1|1 3500 1300 3.8 11.2|2 3500 460 0.4 13.7|3 3500 1460 3.3 13.9|4 3500 1320 3.2 14.2")
   kinds = split(types, type, " ")
 }
-function told(table, text,   rows, i, f) {
+function addThesis(table, text,   rows, i, f) {
   split(text, rows, "|")
   for (i in rows) { split(rows[i], f, " "); handTime[table, f[1]] = f[2]; foundTime[table, f[1]] = f[3]; hand[table, f[1]] = f[4]; found[table, f[1]] = f[5] }
 }

@@ -31,7 +31,7 @@ void add(const std::string& name, double value, const char* unit, double peer, c
                     {"peer_value", peer}});
 }
 
-/// Of as many runs as are told, those that did not get there counting as the longest.
+/// Of as many runs as are given, those that did not get there counting as the longest.
 template <typename T, typename Options>
 double medianEvaluations(double (*cost)(const VectorXd&), int n, double start, int runs, Options options) {
   std::vector<double> counts;

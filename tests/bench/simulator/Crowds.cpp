@@ -27,7 +27,7 @@ struct Size {
 const Size sizes[] = {
     {1, 430, 31, nullptr, 52}, {2, 840, 32}, {4, 1420, 32}, {11, 6700, 35}, {22, 16000, 43, 5000, 0.43, 150}};
 
-/// Reads whatever a monitor is told until the simulator ends.
+/// Reads whatever a monitor gets until the simulator ends.
 void watch(int port) {
   Connection monitor;
   if (!monitor.connect("127.0.0.1", port).empty()) return;

@@ -123,7 +123,7 @@ int main(int argc, char** argv) {
       report.paragraph(
           "Robots \"@server\" were on a SimSpark server that waits for its agents, one at a time, in play "
           "on, "
-          "and a trainer put them to their places. What is told of them is what the server's monitor port "
+          "and a trainer put them to their places. What is known of them is what the server's monitor port "
           "tells: poses within 5 mm and 0.3 degrees, up to two cycles old. Nobody can push or carry a robot "
           "there, so 60 s at full speed are laps of the field, each from a stand, whose first two seconds do "
           "not count.");

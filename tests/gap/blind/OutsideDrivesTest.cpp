@@ -23,7 +23,7 @@ servo::BulletRobot onFixedBase(const Mechanism& arm, const std::vector<double>& 
   return world;
 }
 
-/// What joints at q are told that were asked to be at `asked`, in the first slice or after so many seconds.
+/// What goal joints at q get that were asked to be at `asked`, in the first slice or after so many seconds.
 std::vector<double> commanded(const BlindEffect& effect, const std::vector<double>& q,
                               const std::vector<double>& asked, double time = 0, int slices = 1) {
   const Mechanism arm = twoJointArm();
@@ -56,7 +56,7 @@ TEST(OutsideDrives, aGainThatFallsStepsAnIntegralAndANeighbour) {
   EXPECT_EQ(commanded({"crosstalk", "elbow", "", 0.2, {}}, {0.1, 0.1}, {0.3, 0.2})[0], 0.3);
 }
 
-/// Where the elbow comes to rest, told to go there from where it hangs straight down within 2 s.
+/// Where the elbow comes to rest, sent there from where it hangs straight down within 2 s.
 double rest(const BlindEffect& effect, double target) {
   const Mechanism arm = twoJointArm();
   servo::BulletRobot world = onFixedBase(arm, {0, 0});

@@ -80,12 +80,17 @@ TEST(FieldView, covarianceIsThatOfManyNoisyPoints) {
 }
 
 TEST(FieldView, knowsTheBorderOfTheImage) {
-  EXPECT_FALSE(atImageBorder(0, 0));
-  EXPECT_FALSE(atImageBorder(fromDegrees(58), fromDegrees(-20)));
-  EXPECT_TRUE(atImageBorder(fromDegrees(-59.9), 0));
-  EXPECT_TRUE(atImageBorder(0, fromDegrees(-59.9)));
+  const VisionNoise noise;
+  EXPECT_FALSE(atImageBorder(0, 0, noise));
+  EXPECT_FALSE(atImageBorder(fromDegrees(58), fromDegrees(-20), noise));
+  EXPECT_TRUE(atImageBorder(fromDegrees(-59.9), 0, noise));
+  EXPECT_TRUE(atImageBorder(0, fromDegrees(-59.9), noise));
   // The lower border is a plane: beside the middle its elevation is smaller (a line of the league's samples).
-  EXPECT_TRUE(atImageBorder(fromDegrees(-32.67), fromDegrees(-55.58)));
+  EXPECT_TRUE(atImageBorder(fromDegrees(-32.67), fromDegrees(-55.58), noise));
+  VisionNoise narrow;
+  narrow.imageBorder = fromDegrees(30);
+  EXPECT_TRUE(atImageBorder(fromDegrees(31), 0, narrow));
+  EXPECT_FALSE(atImageBorder(fromDegrees(29), 0, narrow));
 }
 
 }  // namespace

@@ -67,7 +67,7 @@ TEST_F(ParserTest, takesTheMessageApart) {
 
   receive(second);
   EXPECT_NEAR(get<FrameInfo>().cycleSeconds, 0.02, 1e-9);
-  EXPECT_TRUE(get<PlayerInfo>().sideKnown) << "told once";
+  EXPECT_TRUE(get<PlayerInfo>().sideKnown) << "sent once";
   EXPECT_EQ(get<PlayerInfo>().number, 7);
   EXPECT_EQ(get<GameState>().playMode, TeamPlayMode::playOn);
   EXPECT_TRUE(get<VisionInfo>().newImage);
@@ -84,7 +84,7 @@ TEST_F(ParserTest, takesTheMessageApart) {
   EXPECT_EQ(get<HearPercept>().messages[0].text, "hello");
   EXPECT_TRUE(get<SensorData>().leftFoot.contact);
   EXPECT_FALSE(get<SensorData>().rightFoot.contact);
-  EXPECT_NEAR(get<JointData>().angles[headPitch], fromDegrees(20), 1e-12) << "not told: as before";
+  EXPECT_NEAR(get<JointData>().angles[headPitch], fromDegrees(20), 1e-12) << "not sent: as before";
 }
 
 TEST_F(ParserTest, aBrokenMessageChangesNothing) {

@@ -44,7 +44,7 @@ TEST(SoccerWorld, accelerometerIsOneCycleLate) {
   const RobotHandle robot = world->addRobot(simsparkRobot(0), translation(0, 5, 3));
   EXPECT_EQ(world->readings(robot).acc, Vec3(Vec3::Zero()));
   world->step();
-  EXPECT_NEAR(world->readings(robot).acc.z(), 9.81, 1e-9) << "it fell already, but that is not told yet";
+  EXPECT_NEAR(world->readings(robot).acc.z(), 9.81, 1e-9) << "it fell already, but that is not measured yet";
   world->step();
   EXPECT_NEAR(world->readings(robot).acc.z(), 0, 0.01);
 }

@@ -1,5 +1,5 @@
 // The referee in the simulated world: what was done to the league's server by a trainer and two agents, and
-// what it did (rcssserver3d 0.7.3 with its own rules); and what monitors are told.
+// what it did (rcssserver3d 0.7.3 with its own rules); and what monitors get.
 #include <gtest/gtest.h>
 
 #include <ostream>
@@ -143,7 +143,7 @@ TEST_F(League, monitorsGetFoulsAndTheRulesThatHold) {
   put(TeamSide::left, 4, -13.4, 2, 0);
   step(2);
   EXPECT_NE(scene.difference(simulation()).find(")(foul 1 2 1 4)"), std::string::npos);
-  EXPECT_EQ(scene.difference(simulation()).find("foul"), std::string::npos) << "told once";
+  EXPECT_EQ(scene.difference(simulation()).find("foul"), std::string::npos) << "sent once";
   MonitorScene late;
   EXPECT_EQ(late.full(simulation()).find("(foul"), std::string::npos) << "not those from before";
 }

@@ -80,7 +80,7 @@ TEST_F(Driver, theTorsosAnglesFollowGravityWithinSecondsAndNotWithinCycles) {
   EXPECT_NEAR(angles[0], 0.1, 0.001);
 }
 
-/// The torques that hold the robot, told by statics, are those that the servos are found to give.
+/// The torques that hold the robot by statics are those that the servos are found to give.
 TEST_F(Driver, loadIsWhatTheServosCarry) {
   const WalkOutput output = standing();
   servo::BulletRobot world(nao);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double step = 0.02;
 
-/// A pendulum on its left foot that the filter is told of.
+/// A pendulum on its left foot that the filter observes.
 struct Watched {
   LinearInvertedPendulum model{0.25};
   WalkState truth;
@@ -90,7 +90,7 @@ TEST(VelocityFilter, knowsMoreThanTheFootShows) {
 }
 
 TEST(VelocityFilter, trustsTheFootAsMuchInHalfTheCycle) {
-  // A foot's place is told as well as before, so its velocity half as well; the model errs half as much.
+  // A foot's place is as sure as before, so its velocity half as well; the model errs half as much.
   double rms[2];
   for (const int share : {1, 2}) {
     const double cycle = step / share;

@@ -113,7 +113,7 @@ TEST_F(WalkObserverTest, meanDifferenceOfImuAndLegsIsTrackedAndTakenOff) {
   EXPECT_NEAR(observer.imuDifference().y(), -0.08, 1e-3);
   EXPECT_NEAR(observer.imuDifference().x(), 0, 1e-3);
   EXPECT_NEAR(observer.torsoAngles().y(), 0.03, 1e-3);
-  // Without the option it is told, and the IMU believed.
+  // Without the option it is reported, and the IMU believed.
   observe(Support::both, 0);
   EXPECT_NEAR(observer.imuDifference().y(), -0.08, 1e-3);
   EXPECT_NEAR(observer.torsoAngles().y(), -0.05, 1e-9);

@@ -33,10 +33,8 @@ GroundPoint projectToGround(double distance, double azimuth, double elevation, c
   return result;
 }
 
-bool atImageBorder(double azimuth, double elevation) {
-  // Four deviations of the angles' noise.
-  constexpr double border = fromDegrees(59.4);
-  const double tangent = std::tan(border);
+bool atImageBorder(double azimuth, double elevation, const VisionNoise& noise) {
+  const double tangent = std::tan(noise.imageBorder);
   const double ce = std::cos(elevation);
   const double x = ce * std::cos(azimuth);
   return std::abs(ce * std::sin(azimuth)) > tangent * x || std::abs(std::sin(elevation)) > tangent * x;

@@ -1,12 +1,14 @@
 #pragma once
 #include <vector>
 
+#include "math/Angle.h"
 #include "math/Types.h"
 #include "parameters/Parameter.h"
 
 namespace plumbline {
 
-/// How far SimSpark's vision is off (restrictedvisionperceptor), standard deviations.
+/// How far vision is off, standard deviations, and how far it reaches to each side. The defaults are
+/// SimSpark's (restrictedvisionperceptor).
 struct VisionNoise {
   PARAMETERS(VisionNoise)
   PARAMETER(double, distanceShare, 0.000965, "", Range(0, 1), "of the distance, share of it")
@@ -16,6 +18,10 @@ struct VisionNoise {
   PARAMETER(double, offset, 0.0029, "m", Range(0, 1),
             "fixed offset of a connection, along each axis of the head")
   PARAMETER(double, tilt, 0.004, "rad", Range(0, 1), "of the estimated orientation of the head")
+  PARAMETER(double, imageBorder, fromDegrees(59.4), "rad", Range(0.1, 1.5),
+            "a line that ends so far from the middle of the picture, to a side, is cut there (half the "
+            "picture less "
+            "four deviations of the angles)")
 };
 
 /// A seen point in the robot's ground frame (origin below the torso, x its heading).
@@ -30,9 +36,9 @@ struct GroundPoint {
 GroundPoint projectToGround(double distance, double azimuth, double elevation, const Pose3& T_ground_head,
                             const VisionNoise& noise);
 
-/// Whether a polar point lies at the border of SimSpark's picture (60 degrees to each side in the planes of
-/// azimuth and of elevation), where lines are cut off.
-bool atImageBorder(double azimuth, double elevation);
+/// Whether a polar point lies at the border of the picture (imageBorder to each side in the planes of azimuth
+/// and of elevation), where lines are cut off.
+bool atImageBorder(double azimuth, double elevation, const VisionNoise& noise);
 
 struct SeenLandmark {
   int index = 0;  ///< of FieldMap
