@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Searches the sprint of a robot type in one direction in two stages: first without pushes, then with pushes, from what the first found.
 # Then the rule of `bin/optimizewalk --choose` cuts the sprints until minutes of tries have no fall (doc/reference/walk.md, "Finding a
-# walk"). The result is FOLDER/walking.yaml, a file for config/robots/simspark_typeTYPE/. About 15 minutes of two cores. Stopped or
+# walk"). The result is FOLDER/walking.yaml, a file for config/robots/simspark_typeTYPE/. About 11 minutes of two free cores. Stopped or
 # killed, the same command goes on.
 #   scripts/optimise_sprint.sh TYPE [DIRECTION]     DIRECTION: forward, backward, sideways or turn [forward]
 # Variables: SEED of the first search [1]; the second has the next. WORKERS [2], FOLDER [sprintTYPE.search]. EFFORT multiplies the number
