@@ -3,39 +3,12 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <stdexcept>
 
 #include "math/Random.h"
 
 namespace plumbline::training {
 namespace {
-
-constexpr std::array directions{WalkTrialKind::forward, WalkTrialKind::backward, WalkTrialKind::sideways,
-                                WalkTrialKind::turn};
-
-struct Direction {
-  double walking::SpeedParameters::*most;
-  double walking::SpeedParameters::*omni;
-};
-
-Direction directionOf(WalkTrialKind task) {
-  switch (task) {
-    case WalkTrialKind::forward:
-      return {&walking::SpeedParameters::maxForward, &walking::SpeedParameters::omniForward};
-    case WalkTrialKind::backward:
-      return {&walking::SpeedParameters::maxBackward, &walking::SpeedParameters::omniBackward};
-    case WalkTrialKind::sideways:
-      return {&walking::SpeedParameters::maxSideways, &walking::SpeedParameters::omniSideways};
-    case WalkTrialKind::turn:
-      return {&walking::SpeedParameters::maxTurn, &walking::SpeedParameters::omniTurn};
-    case WalkTrialKind::mixture:
-    case WalkTrialKind::push:
-      break;
-  }
-  throw std::invalid_argument("a mixture of directions has no sprint");
-}
 
 bool same(const walking::WalkParameters& a, const walking::WalkParameters& b) {
   return std::ranges::all_of(walking::walkParameters(),
@@ -44,33 +17,9 @@ bool same(const walking::WalkParameters& a, const walking::WalkParameters& b) {
 
 }  // namespace
 
-walking::WalkGaits cutSprint(const walking::WalkGaits& gaits, WalkTrialKind direction, double share) {
-  const auto [most, omni] = directionOf(direction);
-  walking::WalkGaits cut = gaits;
-  walking::WalkParameters& corner = cut.corner[static_cast<std::size_t>(direction)];
-  const double mix = gaits.base.speed.*omni;
-  // Without a speed of mixtures there is no sprint.
-  if (!(mix > 0 && mix < gaits.base.speed.*most)) return cut;
-  const double full = mix + share * (gaits.base.speed.*most - mix);
-  cut.base.speed.*most = full;
-  for (walking::WalkParameters& one : cut.corner) one.speed.*most = full;
-  for (const walking::WalkParameter& one : walking::walkParameters()) {
-    if (!one.blends) continue;
-    const double from = one.of(gaits.base);
-    one.of(corner) = from + share * (one.of(corner) - from);
-  }
-  return cut;
-}
-
-walking::WalkGaits cutSprints(const walking::WalkGaits& gaits, double share) {
-  walking::WalkGaits cut = gaits;
-  for (const WalkTrialKind direction : directions) cut = cutSprint(cut, direction, share);
-  return cut;
-}
-
 walking::WalkGaits withSprint(const walking::WalkGaits& gaits, const walking::WalkGaits& other,
                               WalkTrialKind direction) {
-  const Direction d = directionOf(direction);
+  const SprintSpeeds d = speedsOf(direction);
   walking::WalkGaits result = gaits;
   result.corner[static_cast<std::size_t>(direction)] = other.corner[static_cast<std::size_t>(direction)];
   result.base.speed.*d.most = other.base.speed.*d.most;
@@ -80,8 +29,8 @@ walking::WalkGaits withSprint(const walking::WalkGaits& gaits, const walking::Wa
 
 walking::WalkGaits slowMixture(const walking::WalkGaits& gaits, double share) {
   walking::WalkGaits slow = gaits;
-  for (const WalkTrialKind task : directions) {
-    const Direction direction = directionOf(task);
+  for (const WalkTrialKind task : sprintDirections) {
+    const SprintSpeeds direction = speedsOf(task);
     slow.base.speed.*direction.omni *= share;
     for (walking::WalkParameters& corner : slow.corner)
       corner.speed.*direction.omni = slow.base.speed.*direction.omni;
@@ -169,7 +118,7 @@ walking::WalkGaits chooseSprint(Walker& robot, const walking::WalkGaits& gaits,
                                 const std::vector<walking::WalkGaits>& others, WalkTrialKind direction,
                                 const ChoiceSetup& setup,
                                 const std::function<void(const std::string&)>& say) {
-  const Direction d = directionOf(direction);
+  const SprintSpeeds d = speedsOf(direction);
   const auto corner = static_cast<std::size_t>(direction);
   walking::WalkGaits best = gaits;
   double fastest = 0;

@@ -3,6 +3,7 @@
 #include <string>
 #include <vector>
 
+#include "training/SprintCut.h"
 #include "training/WalkTrial.h"
 
 namespace plumbline::training {
@@ -21,13 +22,6 @@ struct ChoiceSetup {
   double mixStep = 0.1;          ///< the same of the speeds that may be mixed, down to half of them
   double fallsPerMinute = 0.05;  ///< at most under random requests, of the walk with its sprints
 };
-
-/// A sprint that ends earlier: the same way from the walk of mixtures towards the full speed of a direction,
-/// but only a share of it (0: no sprint, 1: all of it). Speeds on the way are walked as before. Throws
-/// std::invalid_argument for WalkTrialKind::mixture and WalkTrialKind::push.
-walking::WalkGaits cutSprint(const walking::WalkGaits& gaits, WalkTrialKind direction, double share);
-/// All of them.
-walking::WalkGaits cutSprints(const walking::WalkGaits& gaits, double share);
 
 /// The walk with another one's sprint of a direction.
 walking::WalkGaits withSprint(const walking::WalkGaits& gaits, const walking::WalkGaits& other,

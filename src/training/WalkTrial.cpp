@@ -1,6 +1,7 @@
 #include "training/WalkTrial.h"
 
 #include "math/Random.h"
+#include "training/LeanWatch.h"
 
 namespace plumbline::training {
 namespace {
@@ -41,7 +42,9 @@ public:
       const double direction = random_.uniform(-pi, pi), size = random_.uniform(0, push_);
       robot_.push(size * Vec3(std::cos(direction), std::sin(direction), 0));
     }
-    return robot_.step(request);
+    const bool upright = robot_.step(request);
+    lean_.look(robot_.torso(), robot_.cycle);
+    return upright;
   }
   bool run(const walking::WalkRequest& request, double seconds) {
     double t = 0;
@@ -51,18 +54,23 @@ public:
     }
     return true;
   }
+  double lean() const { return lean_.greatest(); }
 
 private:
   Walker& robot_;
   Random& random_;
   double push_;
+  LeanWatch lean_;
 };
+
+constexpr double leanOfFall = 1;  // [rad]
 
 /// One try in one direction; false if it ended in a fall.
 bool tryDirection(Walker& robot, Random& random, const walking::WalkParameters& p, WalkTrialKind task,
                   const WalkTrialSetup& setup, WalkTrialResult& result) {
   Try attempt(robot, random, setup.push);
-  robot.restart(Pose2(-14, 5));  // clear of goals and walls
+  result.lean += leanOfFall / setup.tries;  // until it has come to its end
+  robot.restart(Pose2(-14, 5));             // clear of goals and walls
   const double sign = random.uniform() < 0.5 ? -1 : 1;
   const walking::WalkRequest full = fullSpeed(task, sign);
   if (!attempt.run({}, random.uniform(0.1, 0.5))) return false;
@@ -96,7 +104,24 @@ bool tryDirection(Walker& robot, Random& random, const walking::WalkParameters& 
     result.speed += along / time / setup.tries;
     result.drift += across / time / setup.tries;
   }
-  return upright && attempt.run({}, 2) && robot.output.standing;
+  if (!upright || !attempt.run({}, 2) || !robot.output.standing) return false;
+  result.lean += (std::min(leanOfFall, attempt.lean()) - leanOfFall) / setup.tries;
+  return true;
+}
+
+/// The same with the sprint cut to a share that the seed draws; its lean is added to the result's.
+void tryCutSprint(Walker& robot, const walking::WalkGaits& gaits, std::uint64_t seed, WalkTrialKind task,
+                  const WalkTrialSetup& setup, WalkTrialResult& result) {
+  constexpr double leastShare = 0.45, ofSeconds = 0.6;
+  Random random(~seed);
+  const walking::WalkGaits cut = cutSprint(gaits, task, random.uniform(leastShare, 1));
+  robot.use(cut);
+  WalkTrialSetup shorter = setup;
+  shorter.seconds *= ofSeconds;
+  WalkTrialResult of;
+  tryDirection(robot, random, cut.base, task, shorter, of);
+  result.lean += of.lean;
+  robot.use(gaits);
 }
 
 WalkTrialResult tryMixture(Walker& robot, const walking::WalkParameters& p, const WalkTrialSetup& setup) {
@@ -229,10 +254,13 @@ WalkTrialResult tryWalk(Walker& robot, const walking::WalkGaits& gaits, WalkTria
   WalkTrialResult result;
   int fallen = 0;
   for (int i = 0; i < setup.tries; ++i) {
-    Random random(setup.seed * 1000 + static_cast<std::uint64_t>(i));
+    const std::uint64_t seed = setup.seed * 1000 + static_cast<std::uint64_t>(i);
+    Random random(seed);
     if (!tryDirection(robot, random, gaits.base, task, setup, result)) ++fallen;
+    if (setup.alsoCut) tryCutSprint(robot, gaits, seed, task, setup, result);
     if (setup.stopEarly && i == 2 && fallen == 3) {
       fallen = setup.tries;
+      result.lean = leanOfFall * (setup.alsoCut ? 2 : 1);
       break;
     }
   }

@@ -1,14 +1,10 @@
 #pragma once
 #include <cstdint>
 
+#include "training/SprintCut.h"
 #include "training/Walker.h"
 
 namespace plumbline::training {
-
-/// What a walk is tried for.
-enum class WalkTrialKind { forward, backward, sideways, turn, mixture, push };
-inline constexpr std::array<const char*, 6> walkTrialKindNames{"forward", "backward", "sideways",
-                                                               "turn",    "mixture",  "push"};
 
 /// How a walk did in a number of tries.
 struct WalkTrialResult {
@@ -17,6 +13,9 @@ struct WalkTrialResult {
   double falls = 0;     ///< per try; mixture: per minute; push: per try, a small push counting more
   double odometry = 0;  ///< mixture: error of the odometry per metre
   double drift = 0;     ///< speed across the request, or away while turning [m/s]
+  /// Of a direction: mean over the tries of the torso's greatest lean (LeanWatch), a fall counting as 1. Of
+  /// tries at a cut speed, too, the sum of both means [rad].
+  double lean = 0;
 };
 
 struct WalkTrialSetup {
@@ -26,6 +25,9 @@ struct WalkTrialSetup {
   double push = 0.1;      ///< greatest change of the body's velocity by a push, about one a second, or
                           ///< where pushes are the task the one of a try [m/s]
   bool stopEarly = true;  ///< gives up when the first tries all end in falls, counting the rest as such
+  /// Of a direction: after each try comes a shorter one of the sprint cut to a share that the seed draws
+  /// (cutSprint). Every sprint passes through these speeds at its beginning and its end. Only the lean counts.
+  bool alsoCut = false;
 };
 
 /// Lets the robot do the task: from standing at full speed for some seconds, then to a stop, with random

@@ -37,6 +37,7 @@ WalkTask::WalkTask(const WalkOptions& options)
   trial_.tries = 1;
   trial_.seconds = options.seconds;
   trial_.push = options.push;
+  trial_.alsoCut = true;
   first_ = readLeagueGaits(type);
   for (const WalkVariable& variable : variables_) {
     const double start = valueOf(first_, variable), step = variable.step;
@@ -75,7 +76,7 @@ TaskOutcome WalkTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed)
   const WalkTrialResult result = tryWalk(*robot_, gaits(parameters), task_, trial);
   TaskOutcome outcome;
   outcome.cost = walkCost(task_, result);
-  outcome.figures = {{"speed", result.speed}, {"falls", result.falls}, {"drift", result.drift}};
+  outcome.figures = {{"speed", result.speed}, {"falls", result.falls}, {"drift", result.drift}, {"lean", result.lean}};
   return outcome;
 }
 

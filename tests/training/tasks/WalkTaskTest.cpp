@@ -25,7 +25,7 @@ TEST(WalkTask, theStartIsTheTypesWalk) {
   WalkTask task(TaskOptions(Options{{"type", "3"}, {"seconds", "4"}}).as<WalkOptions>());
   const TaskOutcome outcome = task.run(walkStart(task), 1);
   WalkingRobot robot(3);
-  const WalkTrialSetup trial{.seed = 1, .tries = 1, .seconds = 4};
+  const WalkTrialSetup trial{.seed = 1, .tries = 1, .seconds = 4, .alsoCut = true};
   const WalkTrialResult wanted = tryWalk(robot, readLeagueGaits(3), WalkTrialKind::forward, trial);
   EXPECT_EQ(outcome.cost, walkCost(WalkTrialKind::forward, wanted));
   EXPECT_EQ(outcome.figures[0], (std::pair<std::string, double>("speed", wanted.speed)));
