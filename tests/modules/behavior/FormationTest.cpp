@@ -156,6 +156,25 @@ TEST_F(FormationTest, nobodyStandsInThePenaltyAreaAtTheOpponentsGoalKick) {
     }
 }
 
+// The area begins at 13.2 m and is 6 m wide.
+TEST_F(FormationTest, nobodysPlaceIsInThePenaltyAreaAtTheOpponentsGoalKick) {
+  harness.input<RobotPose>().pose = Pose2(12, 0, 0);
+  harness.input<GameState>().playMode = TeamPlayMode::goalKickOpponent;
+  for (int number = 1; number <= 11; ++number)
+    if (number != 3)
+      harness.input<TeamRobotPose>().reports.push_back(
+          reportOf(number, Pose2(14 - number, number % 3, 0), number == 7 ? 0.5 : 5 + number));
+  for (const Vec2& ball : {Vec2(14.8, 0), Vec2(14.8, 3), Vec2(14, -2)}) {
+    ballAt(ball);
+    role();
+    for (const PlacedPlayer& player : harness.output<TeamPlaces>().players) {
+      if (!player.placed) continue;
+      EXPECT_TRUE(player.place.x() < 13.2 || std::abs(player.place.y()) > 3)
+          << player.number << " at " << player.place.position.transpose();
+    }
+  }
+}
+
 TEST_F(FormationTest, placesOfASetPieceHoldUntilItIsOver) {
   harness.input<TeamRobotPose>().reports = {reportOf(7, Pose2(15, 10, 0), 0.5)};
   harness.input<RobotPose>().pose = Pose2(12, 2, 0);
