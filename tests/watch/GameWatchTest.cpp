@@ -49,7 +49,7 @@ struct GameWatchTest : testing::Test {
 TEST_F(GameWatchTest, kicksOffWithThoseWhoCameInTimeAndEndsWithTheGame) {
   begin();
   server.send(sceneText(beforeKickOff, 0, 1));
-  EXPECT_EQ(server.receive(), "(kickOff Left)") << "one of two, and nobody more is waited for";
+  ASSERT_EQ(server.receive(), "(kickOff Left)") << "one of two, and nobody more is waited for";
   server.send(sceneText(playOn, 12, 1));
   server.send(sceneText(gameOver, 600, 1));
   const GameResult game = result.get();

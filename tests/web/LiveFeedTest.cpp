@@ -36,7 +36,7 @@ TEST_F(LiveFeedTest, pagesGetAFrameForAMessageAndNoneWhileNothingComes) {
   EXPECT_TRUE(comesTrue([&] { return broadcast.latest(Channel::frame).message != nullptr; }));
   EXPECT_TRUE(comesTrue([&] { return game().find("\"AA\"") != std::string::npos; }));
   std::this_thread::sleep_for(std::chrono::milliseconds(300));
-  EXPECT_EQ(broadcast.latest(Channel::frame).version, 1u);
+  ASSERT_EQ(broadcast.latest(Channel::frame).version, 1u);
   server.send(messages[1]);
   EXPECT_TRUE(comesTrue([&] { return broadcast.latest(Channel::frame).version == 2; }));
 }
