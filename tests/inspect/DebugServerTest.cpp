@@ -31,6 +31,11 @@ public:
   Peer(const Peer&) = delete;
   Peer& operator=(const Peer&) = delete;
   ~Peer() { close(fd_); }
+  /// The connection breaks: what the server reads next is an error, not an end.
+  void resetAtClose() const {
+    const linger now{1, 0};
+    setsockopt(fd_, SOL_SOCKET, SO_LINGER, &now, sizeof now);
+  }
 
   bool say(const std::string& text) {
     for (std::size_t sent = 0; sent < text.size();) {
@@ -114,6 +119,19 @@ TEST_F(DebugServerTest, aLineOfAMegabyteEndsItsClientAlone) {
   Peer good(server->port()), bad(server->port());
   bad.say(std::string(1 << 20, 'a'));
   EXPECT_EQ(bad.line(), "error: a line is longer than 65536 bytes");
+  good.say("get nothing\n");
+  EXPECT_EQ(good.line(), "error: nothing is called nothing");
+}
+
+TEST_F(DebugServerTest, aConnectionThatBreaksHindersNobodyElse) {
+  start();
+  Peer good(server->port());
+  for (int i = 0; i < 20; ++i) {
+    Peer broken(server->port());
+    broken.resetAtClose();
+    broken.say("get nothing\n");
+    EXPECT_EQ(broken.line(), "error: nothing is called nothing");
+  }
   good.say("get nothing\n");
   EXPECT_EQ(good.line(), "error: nothing is called nothing");
 }

@@ -56,6 +56,57 @@ TEST(Cmaes, badCandidatesTeachToo) {
   EXPECT_LT(count[1], 0.85 * static_cast<double>(count[0]));
 }
 
+/// Variances after the first generation, by the tutorial's figure 6 and table 1 (Hansen 2016), where the
+/// candidates are steps from the mean in deviations, best first. The step size is left out.
+VectorXd variancesAfter(const Eigen::MatrixXd& steps) {
+  const double n = static_cast<double>(steps.rows()), lambda = static_cast<double>(steps.cols());
+  const Eigen::Index mu = steps.cols() / 2;
+  VectorXd w(steps.cols());
+  for (Eigen::Index i = 0; i < w.size(); ++i)
+    w[i] = std::log((lambda + 1) / 2 / (static_cast<double>(i) + 1));
+  const auto effective = [](const VectorXd& part) { return std::pow(part.sum(), 2) / part.squaredNorm(); };
+  const double good = effective(w.head(mu)), bad = effective(w.tail(w.size() - mu));
+  const double c1 = 2 / (std::pow(n + 1.3, 2) + good);
+  const double cMu = std::min(1 - c1, 2 * (0.25 + good + 1 / good - 2) / (std::pow(n + 2, 2) + good));
+  const double most = std::min({1 + c1 / cMu, 1 + 2 * bad / (good + 2), (1 - c1 - cMu) / (n * cMu)});
+  w.head(mu) /= w.head(mu).sum();
+  w.tail(w.size() - mu) *= most / -w.tail(w.size() - mu).sum();
+  const VectorXd step = steps.leftCols(mu) * w.head(mu);
+  const double cc = (4 + good / n) / (n + 4 + 2 * good / n);
+  const double usual = std::sqrt(n) * (1 - 1 / (4 * n) + 1 / (21 * n * n));
+  const bool longStep = std::sqrt(good) * step.norm() >= (1.4 + 2 / (n + 1)) * usual;  // then no path is kept
+  const VectorXd path = (longStep ? 0 : std::sqrt(cc * (2 - cc) * good)) * step;
+  const double kept = 1 - c1 - cMu * w.sum() + (longStep ? c1 * cc * (2 - cc) : 0);
+  VectorXd variances = VectorXd::Constant(steps.rows(), kept) + c1 * path.cwiseAbs2();
+  for (Eigen::Index i = 0; i < w.size(); ++i)
+    variances += cMu * (w[i] > 0 ? w[i] : w[i] * n / steps.col(i).squaredNorm()) * steps.col(i).cwiseAbs2();
+  return variances;
+}
+
+// In few dimensions another of the three bounds of what bad candidates take away is the least.
+TEST(Cmaes, theFirstGenerationChangesTheVariancesAsTheTutorialSays) {
+  for (const auto& [n, population] : {std::pair(10, 10), {3, 7}, {2, 60}, {20, 400}}) {
+    CmaesOptions options;
+    options.population = population;
+    Cmaes cmaes(SearchSpace::around(VectorXd::Constant(n, 3), 0.5), options);
+    Eigen::MatrixXd candidates = cmaes.ask();
+    std::vector<std::pair<double, Eigen::Index>> order;
+    std::vector<double> costs;
+    for (Eigen::Index k = 0; k < candidates.cols(); ++k) {
+      costs.push_back(sphere(candidates.col(k)));
+      order.emplace_back(costs.back(), k);
+    }
+    std::sort(order.begin(), order.end());
+    Eigen::MatrixXd steps(candidates.rows(), candidates.cols());
+    for (std::size_t k = 0; k < order.size(); ++k)
+      steps.col(static_cast<Eigen::Index>(k)) = (candidates.col(order[k].second).array() - 3) / 0.5;
+    cmaes.tell(costs);
+    const VectorXd expected = variancesAfter(steps), is = cmaes.deviations().cwiseAbs2();
+    for (Eigen::Index i = 1; i < is.size(); ++i)
+      EXPECT_NEAR(is[i] / is[0], expected[i] / expected[0], 1e-9) << n << " dimensions, " << i;
+  }
+}
+
 TEST(Cmaes, noCandidateLeavesTheBoxAndTheBoundIsReached) {
   const VectorXd lower = VectorXd::Constant(6, 0.5), upper = VectorXd::Constant(6, 4.0);
   SearchSpace space = SearchSpace::box(lower, upper);

@@ -4,10 +4,12 @@
 
 #include <random>
 
+#include "math/Index.h"
 #include "robot/ClosedFormLeg.h"
 #include "robot/HumanoidModel.h"
 #include "robot/LegKinematics.h"
 #include "robot/MechanismFile.h"
+#include "support/Thrown.h"
 
 namespace plumbline {
 namespace {
@@ -125,6 +127,13 @@ TEST(LegChain, aMissingJointIsNamed) {
                                   "LHipYawPitch to LAnkleRoll");
     }
   }
+  // The robot has a knee, but the shank hangs on the hip beside it.
+  RobotModel robot = nao();
+  Link& shank = robot.links[at(robot.linkOfJoint[lAnklePitch])];
+  shank.parent = robot.linkOfJoint[lHipPitch];
+  EXPECT_EQ(thrownBy([&] { LegChain(robot, Side::left); }),
+            "robot nao_v5: the leg has no LKneePitch between torso and foot; leg kinematics needs the six "
+            "joints from LHipYawPitch to LAnkleRoll");
   const RobotModel quadruped = Humanoid(readMechanism("tests/data/robots/quadruped.json")).model();
   EXPECT_THROW(LegKinematics(quadruped, Side::right), std::invalid_argument);
 }

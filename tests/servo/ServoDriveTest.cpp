@@ -68,6 +68,18 @@ TEST(ServoDrive, fullTorqueFadesWithTheSpeedAfterTheStep) {
   EXPECT_FALSE(drive.limitAt(10.1));
 }
 
+TEST(ServoDrive, torqueFadesOverTheLastTenthBelowAnyTopSpeed) {
+  JointPlant plant = servo();
+  plant.maxSpeed = 8;
+  ServoDrive drive = begun(plant, 1, 0, 7);
+  EXPECT_TRUE(drive.limitAt(7));
+  EXPECT_FALSE(drive.limitAt(7.1));
+  EXPECT_TRUE(drive.limitAt(7.3)) << "the line begins at 7.2 rad/s";
+  EXPECT_NEAR(drive.torque(7.2), 2, 1e-12);
+  EXPECT_NEAR(drive.torque(7.6), 1, 1e-12);
+  EXPECT_NEAR(drive.torque(8), 0, 1e-12);
+}
+
 TEST(ServoDrive, withoutDetailTheLimitIsThatOfTheSpeedBefore) {
   ServoDrive drive = begun(servo(), 1, 0, 9.5, false);
   EXPECT_TRUE(drive.limitAt(9.9));

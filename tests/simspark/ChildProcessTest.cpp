@@ -53,6 +53,7 @@ TEST(ChildProcess, reportsTheExitStatusAndWritesItsOutputToTheFile) {
   waitForEnd(child);
   ASSERT_TRUE(child.exitStatus().has_value());
   EXPECT_EQ(*child.exitStatus(), 7);
+  EXPECT_FALSE(child.running()) << "however often it is asked";
   EXPECT_EQ(contentOf(file), "out\nerr\n");
 }
 
@@ -87,6 +88,16 @@ TEST(ChildProcess, stopEndsItAndTellsTheSignal) {
   EXPECT_TRUE(child.running());
   child.stop();
   EXPECT_EQ(*child.exitStatus(), 128 + SIGTERM);
+}
+
+// Its number may be another process's by then.
+TEST(ChildProcess, whatHasEndedIsNeitherWaitedForNorSignalled) {
+  ChildProcess child({"/bin/sh", "-c", "exit 3"});
+  waitForEnd(child);
+  const auto begin = std::chrono::steady_clock::now();
+  child.stop(60);
+  EXPECT_LT(std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count(), 30);
+  EXPECT_EQ(*child.exitStatus(), 3);
 }
 
 TEST(ChildProcess, stopKillsWhatDoesNotListen) {

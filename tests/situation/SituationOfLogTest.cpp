@@ -133,6 +133,16 @@ TEST_F(SituationOfLogTest, isWhatThePlayerBelievedThen) {
   EXPECT_FALSE(s.expected) << "people say what they expect";
 }
 
+TEST_F(SituationOfLogTest, anOpponentWithAMatesNumberGoesNowhere) {
+  others.robots.clear();
+  add(false, {4, 0}, 9);
+  add(true, {-3, 3}, 9);
+  const Situation s = at(0.05, "striker");
+  ASSERT_EQ(s.others.size(), 2u);
+  EXPECT_TRUE(s.others[0].mate);
+  EXPECT_EQ(s.going.size(), 1u);
+}
+
 TEST_F(SituationOfLogTest, hasTheVelocityOfTheBall) {
   EXPECT_TRUE(at(0.02, "goalie").ballVelocity.isApprox(Vec2(0, 1))) << "the robot looks to the left";
 }

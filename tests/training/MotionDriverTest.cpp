@@ -3,8 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <filesystem>
 #include <stdexcept>
 
+#include "framework/ConfigFolder.h"
+#include "support/ScratchFolder.h"
+#include "support/Thrown.h"
 #include "training/MotionTrial.h"
 
 namespace plumbline::training {
@@ -102,6 +106,29 @@ TEST(MotionDriver, aSeedRepeatsItsNumbers) {
     EXPECT_LE(drawn, 3);
     EXPECT_EQ(drawn, other.random(-2, 3));
   }
+}
+
+// A file that says nothing of a stand-up asks for the one that there usually is.
+TEST(MotionDriver, aStandUpThatThereIsNotIsNamedWhereItIsAskedFor) {
+  namespace fs = std::filesystem;
+  const test::ScratchFolder folder;
+  for (const auto& entry : fs::directory_iterator("config"))
+    if (entry.path().filename() != "motions" && entry.path().filename() != "MotionSelector.yaml")
+      fs::create_symlink(fs::absolute(entry.path()), fs::path(folder.path()) / entry.path().filename());
+  fs::copy("config/motions", folder / "motions");
+  fs::remove(folder / "motions/rollOver.yaml");
+  useConfigFolder(folder.path());
+  const auto errorWith = [&](const std::string& text) {
+    folder.write("MotionSelector.yaml", text);
+    return thrownBy([] { const Puppet robot(0); });
+  };
+  const std::string missing = "there is no motion rollOver in motions/";
+  const std::string unsaid = errorWith(""), other = errorWith("standUp: {front: standUpFront}\n"),
+                    said = errorWith("standUp: {side: rollOver}\n");
+  useConfigFolder("config");
+  EXPECT_TRUE(unsaid.starts_with("MotionSelector.standUp.side " + missing)) << unsaid;
+  EXPECT_TRUE(other.starts_with("MotionSelector.standUp.side " + missing)) << other;
+  EXPECT_NE(said.find("MotionSelector.yaml:1: standUp.side " + missing), std::string::npos) << said;
 }
 
 }  // namespace

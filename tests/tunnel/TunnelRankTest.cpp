@@ -54,6 +54,30 @@ private:
   int rank_, ranks_;
 };
 
+/// What is sent leaves only after its rank has looked for messages three times more.
+class SlowTransport final : public RankTransport {
+public:
+  explicit SlowTransport(RankTransport& fast) : fast_(fast) {}
+  int rank() const override { return fast_.rank(); }
+  int ranks() const override { return fast_.ranks(); }
+  void send(int to, std::string message) override {
+    waiting_.emplace_back(to, std::move(message));
+    looks_ = 0;
+  }
+  bool receive(int& from, std::string& message) override {
+    if (++looks_ >= 3)
+      for (; !waiting_.empty(); waiting_.pop_front())
+        fast_.send(waiting_.front().first, std::move(waiting_.front().second));
+    return fast_.receive(from, message);
+  }
+  bool sentAll() const override { return waiting_.empty(); }
+
+private:
+  RankTransport& fast_;
+  std::deque<std::pair<int, std::string>> waiting_;
+  int looks_ = 0;
+};
+
 /// One rank in a thread of its own. What it ends with is its status, "early" and a status, or what it throws.
 class RankThread {
 public:
@@ -304,6 +328,17 @@ TEST_F(TunnelRankTest, aWorkerThatFailsIsStartedAgainWhereThatIsWanted) {
   EXPECT_EQ(zero.end(), "0");
   EXPECT_EQ(one.end(), "0");
   EXPECT_TRUE(processEnded(pid));
+}
+
+TEST_F(TunnelRankTest, whoEndsEarlySeesItsLastWordOff) {
+  PostTransport fast(post, 0, 2);
+  SlowTransport slow(fast);
+  ServerRank zero(slow, options);
+  StopSignal stop;
+  stop.request(0, "the test is over");
+  EXPECT_TRUE(zero.run(stop).early);
+  ASSERT_FALSE(post.to[1].empty());
+  EXPECT_EQ(decodeFrame(post.to[1].back().second).kind, FrameKind::stop);
 }
 
 }  // namespace

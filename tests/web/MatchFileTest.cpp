@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <unistd.h>
+#include <zlib.h>
 
 #include <filesystem>
 
@@ -52,6 +53,25 @@ protected:
     return {std::istreambuf_iterator<char>(in), {}};
   }
   void overwrite(const std::string& text) { std::ofstream(file, std::ios::binary | std::ios::trunc) << text; }
+
+  /// A file of one chunk that holds these bytes, packed.
+  void writeChunk(const std::string& records) {
+    uLongf size = compressBound(records.size());
+    std::string packed(size, '\0');
+    ASSERT_EQ(compress(reinterpret_cast<Bytef*>(packed.data()), &size,
+                       reinterpret_cast<const Bytef*>(records.data()), records.size()),
+              Z_OK);
+    const std::uint32_t numbers[] = {static_cast<std::uint32_t>(size),
+                                     static_cast<std::uint32_t>(records.size()), 0};
+    const double times[] = {0, 1};
+    overwrite(std::string("PLUMBLINE MATCH\n\1\0\0\0CHNK", 24) +
+              std::string(reinterpret_cast<const char*>(numbers), sizeof numbers) +
+              std::string(reinterpret_cast<const char*>(times), sizeof times) + packed.substr(0, size));
+  }
+  /// A record of 500 ms with this channel, and a length that its text need not have.
+  static std::string record(char channel, char length, const std::string& text) {
+    return std::string(1, channel) + std::string("\xf4\1\0\0", 4) + length + std::string(3, '\0') + text;
+  }
 
   fs::path folder;
   std::string file;
@@ -152,6 +172,23 @@ TEST_F(MatchFile, mistakesAreNamed) {
   for (std::size_t i = 60; i < 90; ++i) broken[i] = static_cast<char>(~broken[i]);
   overwrite(broken);
   EXPECT_EQ(problem(), file + ": broken in the chunk at byte 52");
+}
+
+TEST_F(MatchFile, aRecordThatIsNoneIsAMistakeOfItsChunk) {
+  const std::string whole = record(1, 4, "game"),
+                    mistake = file + ": a broken record in the chunk at byte 52";
+  writeChunk(whole);
+  EXPECT_EQ(problem(), "");
+  const auto records = MatchReader(file).read(0);
+  ASSERT_EQ(records.size(), 1u);
+  EXPECT_EQ(records[0].message, "game");
+  EXPECT_EQ(records[0].time, 0.5);
+  writeChunk(whole + whole.substr(0, 6));
+  EXPECT_EQ(problem(), mistake) << "half a header";
+  writeChunk(whole + record(9, 4, "what"));
+  EXPECT_EQ(problem(), mistake) << "no such channel";
+  writeChunk(whole + record(1, 5, "game"));
+  EXPECT_EQ(problem(), mistake) << "longer than the chunk";
 }
 
 TEST_F(MatchFile, anyFlippedByteIsAnErrorOrHarmless) {

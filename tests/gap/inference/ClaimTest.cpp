@@ -24,6 +24,23 @@ TEST(Claim, fewGroupsClaimLessThanTheyClosedAndSayHowUnsureThatIs) {
   EXPECT_GT(two.upper - two.lower, eight.upper - eight.lower);
 }
 
+// From the mean's normal prior of 1 and the spread's half-normal one of 0.5, integrated on a fine grid.
+TEST(Claim, isWhatThePriorAndTheGroupsSayTogether) {
+  const Claim one = claimOf({0.8}), three = claimOf({0.3, 0.7, 0.85});
+  EXPECT_NEAR(one.closed, 0.601, 0.01);
+  EXPECT_NEAR(one.lower, -0.056, 0.03);
+  EXPECT_NEAR(one.upper, 0.896, 0.003);
+  EXPECT_NEAR(three.closed, 0.440, 0.01);
+  EXPECT_NEAR(three.lower, -0.514, 0.03);
+  EXPECT_NEAR(three.upper, 0.900, 0.003);
+}
+
+TEST(Claim, lessThanAFiftiethLeftIsNoise) {
+  EXPECT_NEAR(std::exp(logLeft(0.97)), 0.03, 1e-12);
+  EXPECT_NEAR(std::exp(logLeft(0.99)), 0.02, 1e-12);
+  EXPECT_NEAR(std::exp(logLeft(1)), 0.02, 1e-12);
+}
+
 TEST(Claim, groupsThatDisagreeLeaveAWiderIntervalAndALowerClaim) {
   const Claim alike = claimOf({0.7, 0.7, 0.7}), apart = claimOf({0.3, 0.7, 0.85});
   EXPECT_LT(apart.closed, alike.closed);

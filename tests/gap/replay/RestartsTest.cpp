@@ -52,6 +52,32 @@ TEST(RestartsTest, atTheStartAndInTheMiddleOfAStepAboutEverySecond) {
   EXPECT_EQ(trial.restarts[1].load, (std::vector<double>{0.95, 0.05}));
 }
 
+TEST(RestartsTest, anywhereEveryOneAndAHalfSecondsWhileNoFootCarriesAll) {
+  Trial trial = walked(7, 4);
+  cutIntoSteps(trial);
+  std::vector<std::size_t> at;
+  for (const Restart& restart : trial.restarts) at.push_back(restart.cycle);
+  // Steps begin at cycle 400; the middle of the first is 1.13 s after the last one before.
+  ASSERT_GE(at.size(), 4u);
+  at.resize(4);
+  EXPECT_EQ(at, (std::vector<std::size_t>{2, 152, 302, 415}));
+}
+
+TEST(RestartsTest, aShiftOfLoadOfThreeHundredthsIsNoStep) {
+  for (const double shift : {0.025, 0.035}) {
+    Trial trial = walked(4);
+    // Both feet together carry 40 N.
+    for (std::size_t k = 115; k < 130; ++k) {
+      for (const std::size_t foot : {0u, 1u}) {
+        std::vector<double>& force = (trial.signals.end() - 2 + static_cast<std::ptrdiff_t>(foot))->values;
+        force[k] += (force[k] > 20 ? -40 : 40) * shift;
+      }
+    }
+    cutIntoSteps(trial);
+    EXPECT_EQ(trial.betweenSteps[114], shift < 0.03) << shift;
+  }
+}
+
 TEST(RestartsTest, saysWhereNoFootLandsOrLiftsOff) {
   Trial trial = walked(4);
   cutIntoSteps(trial);

@@ -89,5 +89,27 @@ TEST(Plausibility, aPositionTwoCyclesBeforeItsCommandIsHowClocksAreRead) {
   }
 }
 
+TEST(Plausibility, aPositionIsAtMostTwoHundredthsOfASecondBeforeItsCommand) {
+  // Two cycles of 80 a second are 0.025 s.
+  Random random(7);
+  std::vector<double> noise(1000);
+  for (double& x : noise) x = 0.3 * random.uniform();
+  const auto at = [&](double t, int by) { return noise[static_cast<std::size_t>(std::lround(80 * t) + by)]; };
+  const std::string said =
+      saidOf(pendulumRun([&](double t) { return at(t, 0); }, [&](double t) { return at(t, 2); }, 80));
+  EXPECT_NE(said.find("0.025 s later; are both of one clock"), std::string::npos) << said;
+}
+
+TEST(Plausibility, anotherClockHasToExplainAFifthMoreThanADelay) {
+  // A swing that is 0.58 s late is like itself with half a second taken off by the cosine of the 0.08 s left.
+  const auto said = [](double like) {
+    const double rate = std::acos(like) / 0.08;
+    return saidOf(pendulumRun([=](double t) { return 0.2 * std::sin(rate * t); },
+                              [=](double t) { return 0.2 * std::sin(rate * (t - 0.58)); }, 100, 20));
+  };
+  EXPECT_NE(said(0.77), "");
+  EXPECT_EQ(said(0.83), "");
+}
+
 }  // namespace
 }  // namespace plumbline::gap

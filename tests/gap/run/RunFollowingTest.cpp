@@ -36,6 +36,8 @@ TEST(RunFollowing, aPositionIsInDegreesWhereItMovesAsCommandedAndSoMuchMore) {
       saidOf(following(0.038, 0.038 * degree, 0.7)),
       "refused: r: no usable pos column is left (pos.pendulum: it moves 57.3 times as far as cmd.pendulum; "
       "is it in degrees?)");
+  EXPECT_NE(saidOf(following(0.036, 1.25 * 0.036 * degree, 1)).find("; is it in degrees?)"),
+            std::string::npos);
   EXPECT_EQ(saidOf(following(0.04, 1.35 * 0.04 * degree, 1)),
             "r: pos.pendulum: it moves 77.35 times as far as cmd.pendulum; check its unit\n");
   EXPECT_EQ(saidOf(following(0.038, 0.038 * degree, 0.5)),
@@ -47,6 +49,7 @@ TEST(RunFollowing, aCommandWasDividedByAThousandWhereItsJointFollowsAThousandTim
       saidOf(following(0.002, 2, 0.7)),
       "refused: r: no usable cmd column is left (cmd.pendulum: pos.pendulum moves 1000 times as far; was it "
       "divided by a thousand?)");
+  EXPECT_NE(saidOf(following(0.002, 2.5, 1)).find("divided by a thousand?"), std::string::npos);
   EXPECT_EQ(saidOf(following(0.002, 2, 0.5)), "");
   EXPECT_EQ(saidOf(following(0.002, 2.7, 1)), "");
 }
@@ -88,8 +91,25 @@ TEST(RunFollowing, aJointThatJumpsBeyondItsLimitsDidNotFallThere) {
     return saidOf(run);
   };
   EXPECT_NE(jumping(0.55).find("kept, because the joint follows its command"), std::string::npos);
+  EXPECT_NE(jumping(0.625).find("kept, because"), std::string::npos) << "three times as fast, and 0.05 rad";
+  EXPECT_EQ(jumping(0.64).find("kept, because"), std::string::npos);
   EXPECT_NE(jumping(0.75).find("no usable pos column is left (pos.pendulum: it reaches 3.55"),
             std::string::npos);
+}
+
+TEST(RunFollowing, aJointIsSeenToFollowInFiftySamplesOfLargeCommandsAtLeast) {
+  // Swings out once, for so many samples, and farther than the limit; the command is small else.
+  const auto swingingOut = [](int samples, double rest) {
+    const auto out = [=](double t, double size) {
+      const double i = 100 * t - 200;
+      return i > 0 && i < samples + 1 ? size * std::sin(std::numbers::pi * i / (samples + 1)) : rest;
+    };
+    return saidOf(pendulumRun([=](double t) { return out(t, 2.9); }, [=](double t) { return out(t, 3.55); }));
+  };
+  EXPECT_NE(swingingOut(60, 0).find("kept, because"), std::string::npos);
+  EXPECT_EQ(swingingOut(40, 0).find("kept, because"), std::string::npos);
+  EXPECT_EQ(swingingOut(40, 0.045).find("kept, because"), std::string::npos) << "2.6 degrees are small";
+  EXPECT_NE(swingingOut(40, 0.06).find("kept, because"), std::string::npos);
 }
 
 /// A joint that follows, whose recorded speed is so many times its speed, in part.
@@ -112,12 +132,15 @@ TEST(RunFollowing, aSpeedMayBeAThirdOffAndNoMore) {
             "r: vel.pendulum is left out: it is 1.8 times the speed of pos.pendulum; check its unit\n");
   EXPECT_EQ(withSpeed(0.5, 1),
             "r: vel.pendulum is left out: it is 0.5001 times the speed of pos.pendulum; check its unit\n");
+  EXPECT_TRUE(withSpeed(4, 0.7).starts_with("r: vel.pendulum is left out: it is 2.8"))
+      << "alike enough to say";
   EXPECT_EQ(withSpeed(4, 0.5), "") << "too unlike to say";
 }
 
 TEST(RunFollowing, aSpeedIsInDegreesWhereItIsSoManyTimesTheSpeed) {
   EXPECT_EQ(withSpeed(1.2 * degree, 1, 0.1),
             "r: vel.pendulum is left out: it is 68.77 times the speed of pos.pendulum; is it in degrees?\n");
+  EXPECT_NE(withSpeed(1.25 * degree, 1, 0.1).find("; is it in degrees?"), std::string::npos);
   EXPECT_EQ(withSpeed(1.35 * degree, 1, 0.1),
             "r: vel.pendulum is left out: it is 77.36 times the speed of pos.pendulum; check its unit\n");
 }
@@ -127,6 +150,7 @@ TEST(RunFollowing, aSpeedThatHasLittleToDoWithThePosition) {
   EXPECT_TRUE(withSpeed(1, 0.35).starts_with(
       "r: vel.pendulum: it has little to do with pos.pendulum (correlation 0.3495)"))
       << withSpeed(1, 0.35);
+  EXPECT_EQ(withSpeed(1, 0.45, 0.5, false), "") << "alike enough";
   EXPECT_EQ(withSpeed(1, 0.35, 0.5, false),
             "r: vel.pendulum is left out: it has no sign; add to run.json: unsigned: [\"vel\"]\n");
 }

@@ -33,12 +33,15 @@ public:
   std::string of(ChannelKind kind, const std::string& place, const Numbers& values) const {
     return of(kind, {{place, &values}});
   }
-  std::string of(ChannelKind kind, const std::vector<UnitGuess::Raw>& raws) const {
+  std::string of(ChannelKind kind, const std::vector<UnitGuess::Raw>& raws, bool sliding = false) const {
     try {
-      return UnitGuess(given_ ? &robot_ : nullptr, known).of(kind, raws, false).unit;
+      return UnitGuess(given_ ? &robot_ : nullptr, known).of(kind, raws, sliding).unit;
     } catch (const UnclearUnit& unclear) {
       return std::string("unclear: ") + unclear.what();
     }
+  }
+  Mechanism::Joint& joint(const std::string& name) {
+    return robot_.joints[static_cast<std::size_t>(robot_.jointIndex(name))];
   }
   UnitGuess::Known known;
 
@@ -72,6 +75,30 @@ TEST(UnitGuess, anglesThatFitBothUnitsOrNoneAreAsked) {
                   .starts_with(unclear + "fits neither rad nor deg clearly: pos."));
 }
 
+TEST(UnitGuess, anglesMayBeTwentyDegreesBeyondTheLimits) {
+  // The head turns to 2.086 rad both ways.
+  EXPECT_TRUE(
+      Guess().of(ChannelKind::position, "HeadYaw", wave(2.38)).starts_with(unclear + "could be in rad"));
+  EXPECT_TRUE(Guess().of(ChannelKind::position, "HeadYaw", wave(2.48)).starts_with(unclear + "fits neither"));
+  EXPECT_EQ(Guess().of(ChannelKind::position, "HeadYaw", wave(1.25)), "rad") << "2.5 degrees are no motion";
+  EXPECT_TRUE(Guess().of(ChannelKind::position, "HeadYaw", wave(1.5)).starts_with(unclear))
+      << "3 degrees are";
+}
+
+TEST(UnitGuess, lengthsMayBeTenCentimetresBeyondTheLimits) {
+  Guess guess;
+  guess.joint("HeadYaw").lower = -0.2;
+  guess.joint("HeadYaw").upper = 0.2;
+  const auto unitOf = [&](double most) {
+    const Numbers values = wave(most);
+    return guess.of(ChannelKind::position, {{"HeadYaw", &values}}, true);
+  };
+  EXPECT_EQ(unitOf(0.29), "m");
+  EXPECT_TRUE(unitOf(0.31).starts_with(unclear));
+  EXPECT_EQ(unitOf(290), "mm");
+  EXPECT_TRUE(unitOf(310).starts_with(unclear));
+}
+
 TEST(UnitGuess, oneJointOfSeveralShowsTheUnitOfAll) {
   const Guess guess;
   const Numbers small = wave(1), large = wave(40);
@@ -91,6 +118,26 @@ TEST(UnitGuess, aCommandThatIsUnclearFollowsItsPosition) {
   EXPECT_EQ(guess.of(ChannelKind::command, "HeadYaw", wave(2.1)), "rad");
   guess.known.channels["pos.HeadYaw"] = wave(2 / perRad);
   EXPECT_EQ(guess.of(ChannelKind::command, "HeadYaw", wave(2.1)), "deg");
+}
+
+TEST(UnitGuess, whatMovesOnlyInPartAsAnotherShowsNoUnit) {
+  Guess guess;
+  // Two motions that have nothing in common over ten seconds.
+  const auto one = [](double t) { return std::sin(M_PI * t); };
+  const auto other = [](double t) { return std::sin(1.8 * M_PI * t); };
+  const auto mixed = [&](double share) {
+    return series([=](double t) { return 1.8 * (share * one(t) + std::sqrt(1 - share * share) * other(t)); });
+  };
+  guess.known.channels["pos.HeadYaw"] = series([=](double t) { return 1.8 * one(t); });
+  EXPECT_EQ(guess.of(ChannelKind::command, "HeadYaw", mixed(0.65)), "rad");
+  EXPECT_TRUE(guess.of(ChannelKind::command, "HeadYaw", mixed(0.5)).starts_with(unclear));
+  const auto speed = [&](double share) {
+    return series([=](double t) {
+      return 1.8 * M_PI * (std::cos(M_PI * t) + std::sqrt(1 / (share * share) - 1) * other(t));
+    });
+  };
+  EXPECT_EQ(guess.of(ChannelKind::velocity, "HeadYaw", speed(0.65)), "rad/s");
+  EXPECT_TRUE(guess.of(ChannelKind::velocity, "HeadYaw", speed(0.55)).starts_with(unclear));
 }
 
 TEST(UnitGuess, withoutTheRobotsFileOnlySmallAnglesAreClear) {
@@ -114,7 +161,8 @@ TEST(UnitGuess, speedsByTheirPosition) {
   EXPECT_EQ(speed(perRad), "deg/s");
   EXPECT_EQ(speed(30 / M_PI), "rpm");
   EXPECT_TRUE(speed(1000).starts_with(unclear));
-  EXPECT_EQ(guess.of(ChannelKind::velocity, "LKneePitch", wave(0.01)), "rad/s");
+  EXPECT_EQ(guess.of(ChannelKind::velocity, "LKneePitch", wave(0.09)), "rad/s") << "hardly moves";
+  EXPECT_TRUE(guess.of(ChannelKind::velocity, "LKneePitch", wave(0.11)).starts_with(unclear));
   EXPECT_EQ(guess.of(ChannelKind::velocity, "LKneePitch", wave(3)),
             unclear + "has no position beside it that shows its unit; write unit: rad/s, deg/s or rpm");
 }
@@ -133,6 +181,69 @@ TEST(UnitGuess, effortsByWhatTheMotorCanGive) {
   EXPECT_EQ(nao.of(ChannelKind::duty, "HeadYaw", wave(0.9)), "1");
   EXPECT_EQ(nao.of(ChannelKind::duty, "HeadYaw", wave(80)), "percent");
   EXPECT_TRUE(nao.of(ChannelKind::duty, "HeadYaw", wave(885)).starts_with(unclear));
+}
+
+TEST(UnitGuess, howFarEffortsMayBeFromWhatTheMotorGives) {
+  const Guess nao, pendulum("xl330_pendulum");
+  const auto torque = [&](double limits) {  // the head's motor gives 1.547 N m
+    return nao.of(ChannelKind::torque, "HeadYaw", Numbers(100, 1.547 * limits));
+  };
+  EXPECT_EQ(torque(1.4), "Nm");
+  EXPECT_TRUE(torque(1.6).starts_with(unclear));
+  EXPECT_EQ(torque(1400), "mNm");
+  EXPECT_TRUE(torque(1600).starts_with(unclear));
+  const auto supply = [&](double volts) {  // of 7.4 V
+    return pendulum.of(ChannelKind::voltage, "pendulum", Numbers(100, volts));
+  };
+  EXPECT_EQ(supply(0.45 * 7.4), "V");
+  EXPECT_TRUE(supply(0.35 * 7.4).starts_with(unclear));
+  EXPECT_EQ(supply(2.4 * 7.4), "V");
+  EXPECT_TRUE(supply(2.6 * 7.4).starts_with(unclear));
+}
+
+TEST(UnitGuess, howFarGravityAndTheWeightMayBeOff) {
+  Guess guess;
+  guess.known.freeBase = true;
+  const double weight = findMechanism("nao_v5").totalMass() * 9.81;
+  const auto force = [&](double weights) {
+    return guess.of(ChannelKind::force, "LFoot.FrontLeft", Numbers(100, weight * weights));
+  };
+  EXPECT_EQ(force(0.55), "N");
+  EXPECT_TRUE(force(0.45).starts_with(unclear));
+  EXPECT_EQ(force(1.7), "N");
+  EXPECT_TRUE(force(1.9).starts_with(unclear));
+  const auto acceleration = [&](double size) {
+    return guess.of(ChannelKind::acceleration, "z", Numbers(100, size));
+  };
+  EXPECT_EQ(acceleration(0.75 * 9.81), "m/s^2");
+  EXPECT_TRUE(acceleration(0.65 * 9.81).starts_with(unclear));
+}
+
+/// A gyro beside the accelerometer of a body that rocks about y by this, and by `aside` as the gyro alone
+/// says.
+std::string rocking(double tilt, double scale, double aside = 0) {
+  Guess guess;
+  guess.known.freeBase = true;
+  guess.known.channels["acc.x"] = series([=](double t) { return -9.81 * std::sin(tilt * std::sin(2 * t)); });
+  guess.known.channels["acc.z"] = series([=](double t) { return 9.81 * std::cos(tilt * std::sin(2 * t)); });
+  return guess.of(ChannelKind::gyro, "y", series([=](double t) {
+                    return scale * (2 * tilt * std::cos(2 * t) + 5 * aside * std::cos(5 * t));
+                  }));
+}
+
+TEST(UnitGuess, aGyroTurnsAsGravityDoesInTheAccelerometer) {
+  EXPECT_EQ(rocking(0.3, 1), "rad/s");
+  EXPECT_EQ(rocking(0.3, perRad), "deg/s");
+  for (const double factor : {0.45, 2.2}) {
+    EXPECT_EQ(rocking(0.3, factor), "rad/s");
+    EXPECT_EQ(rocking(0.3, factor * perRad), "deg/s");
+  }
+  EXPECT_TRUE(rocking(0.3, 0.35).starts_with(unclear));
+  EXPECT_TRUE(rocking(0.3, 3).starts_with(unclear));
+  EXPECT_EQ(rocking(0.04, perRad), "deg/s") << "half a second turns it by 1.5 degrees";
+  // Half a second shows 0.96 of a slow rocking and 1.9 of a fast one: they are alike by 0.8 and by 0.6.
+  EXPECT_EQ(rocking(0.3, 1, 0.114), "rad/s");
+  EXPECT_TRUE(rocking(0.3, 1, 0.202).starts_with(unclear));
 }
 
 TEST(UnitGuess, bodySensorsByGravity) {
@@ -155,6 +266,10 @@ TEST(UnitGuess, timesByTheRateOfTheRobot) {
   EXPECT_EQ(guessTimeUnit(10, 100).unit, "ms");
   EXPECT_EQ(guessTimeUnit(1000, 100).unit, "us");
   EXPECT_EQ(guessTimeUnit(1e7, 100).unit, "ns");
+  EXPECT_EQ(guessTimeUnit(1 / 1100.0, 100).unit, "s");
+  EXPECT_NE(thrownBy([] { guessTimeUnit(1 / 1400.0, 100); }), "nothing thrown");
+  EXPECT_EQ(guessTimeUnit(1 / 9.0, 100).unit, "s");
+  EXPECT_NE(thrownBy([] { guessTimeUnit(1 / 7.0, 100); }), "nothing thrown");
   EXPECT_EQ(thrownBy([] { guessTimeUnit(1, 50); }),
             "advances by 1 a line, in no unit near 50 Hz; write unit: s, ms, us or ns");
 }

@@ -37,5 +37,35 @@ TEST(TraceEvidence, NeedsRecordingsForBoth) {
             empty.string() + ": no recordings of a robot, *_t0.csv.gz to *_t4.csv.gz, are in this folder");
 }
 
+// Recordings have millionths of a metre, hundredths of a degree and of m/s^2 and N.
+TEST(TraceEvidence, noErrorIsSmallerThanHalfTheLastDigit) {
+  const WindowError least = typicalError(std::vector<WindowError>(10));
+  const WindowError expected = {5e-7, 5e-7, 8.7266e-5, 8.7266e-5, 0.005, 0.005};
+  for (std::size_t s = 0; s < least.size(); ++s)
+    EXPECT_NEAR(least[s], expected[s], 1e-4 * expected[s]) << nameOf(static_cast<TraceSignal>(s));
+}
+
+TEST(TraceEvidence, aWindowIsIdleWhereNothingMovesHalfAMillimetreOrASixthOfADegree) {
+  // Windows of five rows, in which the torso goes so far and the head turns so far.
+  const auto isIdle = [](double way, double turn) {
+    std::vector<simspark::LeagueTrace> traces(2);
+    for (int type : {0, 1}) {
+      traces[static_cast<std::size_t>(type)].robotType = type;
+      traces[static_cast<std::size_t>(type)].joints = {headYaw};
+      for (int i = 0; i < 200; ++i) {
+        simspark::TraceRow& row = traces[static_cast<std::size_t>(type)].rows.emplace_back();
+        row.torso.translation().x() = way * i / 5;
+        row.angle[headYaw] = turn * i / 5;
+      }
+    }
+    return thrownBy([&] { TraceEvidence evidence(traces, 5, 5); }) != "nothing thrown";
+  };
+  EXPECT_TRUE(isIdle(0, 0));
+  EXPECT_TRUE(isIdle(0.00045, 0));
+  EXPECT_FALSE(isIdle(0.00055, 0));
+  EXPECT_TRUE(isIdle(0, 0.0027));
+  EXPECT_FALSE(isIdle(0, 0.0033));
+}
+
 }  // namespace
 }  // namespace plumbline::gap

@@ -54,4 +54,17 @@ TEST_F(BeforeKickOffTest, aloneANumberHasAnotherPlaceThanInATeam) {
   EXPECT_NE(at(0.02, TeamPlayMode::beforeKickOff, 2).beamPose.y(), alone);
 }
 
+TEST_F(BeforeKickOffTest, onlyPlayersNearTheMiddleStandOnTheRingAndOnlyAtTheOpponentsKickOff) {
+  harness.input<PlayerRole>().members = 11;
+  // The right team has no kick-off in the first half; number 2 would stand at (-0.2, 0.4), 0.447 m away.
+  harness.input<PlayerInfo>().leftSide = false;
+  const Vec2 onRing = at(0, TeamPlayMode::beforeKickOff, 2).beamPose.position;
+  EXPECT_NEAR(onRing.x(), -1.0733, 1e-4);
+  EXPECT_NEAR(onRing.y(), 2.1466, 1e-4);
+  EXPECT_EQ(at(0, TeamPlayMode::beforeKickOff, 1).beamPose.position, Vec2(-14.4, 0)) << "far away";
+  harness.input<PlayerInfo>().leftSide = true;
+  EXPECT_EQ(at(0, TeamPlayMode::beforeKickOff, 2).beamPose.position, Vec2(-0.2, 0.4)) << "kicks off";
+  EXPECT_EQ(at(0, TeamPlayMode::beforeKickOff, 1).beamPose.position, Vec2(-14.4, 0));
+}
+
 }  // namespace

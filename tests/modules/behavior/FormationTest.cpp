@@ -7,6 +7,7 @@
 #include "situation/kinds/FormationSituationKind.h"
 #include "support/DrawnBy.h"
 #include "support/ModuleHarness.h"
+#include "support/ScratchFolder.h"
 #include "support/SituationHarness.h"
 
 using namespace plumbline;
@@ -154,6 +155,29 @@ TEST_F(FormationTest, nobodyStandsInThePenaltyAreaAtTheOpponentsGoalKick) {
                   place.x() < field.length / 2 - field.penaltyDepth)
           << x << " " << y;
     }
+}
+
+// The area begins at 13.2 m and is 6 m wide; players stay 0.4 m off its line, whatever a file says.
+TEST_F(FormationTest, aPlaceInThePenaltyAreaIsMovedOutOfItAtTheOpponentsGoalKick) {
+  const test::ScratchFolder folder;
+  folder.write("set_pieces/goalKickOpponent.yaml",
+               "modes: [goalKickOpponent]\nlasts: 3\nstand:\n  - {x: 11.8, y: 0.8}\n"
+               "places:\n  - {x: 14, y: 2}\n  - {x: 14, y: -2}\n");
+  test::ModuleHarness<Formation> one({"config", folder.path()});
+  setUp(one, 3);
+  one.input<RobotPose>().pose = Pose2(10, 0, 0);
+  one.input<GameState>().playMode = TeamPlayMode::goalKickOpponent;
+  one.input<BallPos>().field = {14.5, 8};
+  one.input<TeamRobotPose>().reports = {reportOf(7, Pose2(13, 8, 0), 0.5), reportOf(3, Pose2(10, 0, 0), 9),
+                                        reportOf(8, Pose2(5, 0, 0), 9)};
+  one.cycle();
+  int moved = 0;
+  for (const PlacedPlayer& player : one.output<TeamPlaces>().players)
+    if (player.placed && player.place.x() > 12) {
+      EXPECT_NEAR(player.place.x(), 12.8, 1e-9) << player.number;
+      ++moved;
+    }
+  EXPECT_EQ(moved, 2);
 }
 
 TEST_F(FormationTest, placesOfASetPieceHoldUntilItIsOver) {

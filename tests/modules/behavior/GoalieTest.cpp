@@ -121,6 +121,19 @@ TEST_F(GoalieTest, standsStillAtItsPlace) {
   EXPECT_EQ(with({0, 0}).skill, Skill::moveToPos);
 }
 
+// A keeper stands within 0.15 m of its place and stays there up to 0.3 m, but not one that comes from the
+// ball.
+TEST_F(GoalieTest, aKeeperThatWasTheStrikerWalksToItsPlaceAgain) {
+  const Pose2 place = with({0, 0}).target;
+  harness.input<PlayerRole>().role = PlayerRole::striker;
+  harness.input<RobotPose>().pose = Pose2(place.x(), 0.25, 0);
+  EXPECT_FALSE(with({0, 0}).active);
+  harness.input<PlayerRole>().role = PlayerRole::goalie;
+  EXPECT_EQ(with({0, 0}).skill, Skill::moveToPos);
+  harness.input<RobotPose>().pose = place;
+  EXPECT_EQ(with({0, 0}).skill, Skill::stand);
+}
+
 TEST_F(GoalieTest, onlyTheGoalieIsOne) {
   harness.input<PlayerRole>().role = PlayerRole::striker;
   EXPECT_FALSE(with({0, 0}).active);

@@ -1,10 +1,18 @@
-// The search in the agent; that behind a server is in tests/e2e/optimise_agent.sh.
+// A whole search behind a server is in tests/e2e/optimise_agent.sh.
 #include "modules/optimization/OptimizationClient.h"
 
 #include <gtest/gtest.h>
+#include <sys/eventfd.h>
+#include <unistd.h>
+
+#include <thread>
 
 #include "modules/simspark/FakeServer.h"
+#include "optimization/Cmaes.h"
+#include "optimization/farm/FarmServer.h"
+#include "robot/RobotTypes.h"
 #include "simspark/LeagueRobots.h"
+#include "support/FarOff.h"
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"
 #include "support/Thrown.h"
@@ -97,6 +105,54 @@ TEST_F(OptimizationClientTest, aServerThatIsNotThereEndsTheAgent) {
   EXPECT_EQ(harness.stop().exitCode(), 2);
   EXPECT_NE(harness.stop().reason().find(std::to_string(harness.module().port)), std::string::npos)
       << harness.stop().reason();
+}
+
+/// A server of a search of kicks, in a thread, with these options of the task.
+class KickServer {
+public:
+  explicit KickServer(std::map<std::string, std::string> options)
+      : server_(search_, nullptr, {"kick", std::move(options), 2}, {}),
+        thread_([this] { server_.serve(stop_); }) {}
+  ~KickServer() {
+    eventfd_write(stop_, 1);
+    thread_.join();
+    close(stop_);
+  }
+  int port() const { return server_.port(); }
+
+private:
+  int stop_ = eventfd(0, EFD_CLOEXEC);
+  Search search_{std::make_unique<Cmaes>(SearchSpace::around(Eigen::Vector2d(1, 2), 0.1)), {1, 1, true}, 1};
+  farm::FarmServer server_;
+  std::thread thread_;
+};
+
+TEST_F(OptimizationClientTest, aServersOptionsSayWhatIsTriedAndWhatItLeavesOutIsTheTasksDefault) {
+  struct Case {
+    std::map<std::string, std::string> options;
+    std::string motion;
+    Side foot;
+    double distance;
+  };
+  for (const auto& [options, motion, foot, distance] :
+       {Case{{{"motion", "kickFar"}, {"side", "left"}, {"distance", "7"}}, "kickFar", Side::left, 7},
+        Case{{{"distance", "5"}}, "kickRight", Side::right, 5}}) {
+    const KickServer server(options);
+    test::ModuleHarness<OptimizationClient> agent{{folder.path()}};
+    agent.objects().set(std::make_shared<RobotTypes>(RobotTypes{[this](int) { return robot.name; }}));
+    agent.input<RobotDescription>() = robot;
+    agent.module().host = "127.0.0.1";
+    agent.module().port = server.port();
+    const OptimizationTrial& asked = agent.output<OptimizationTrial>();
+    ASSERT_TRUE(comesTrue([&] {
+      agent.cycle();
+      return asked.open || agent.stop().requested();
+    }));
+    EXPECT_EQ(agent.stop().reason(), "");
+    EXPECT_EQ(asked.motion, motion);
+    EXPECT_EQ(asked.foot, foot);
+    EXPECT_EQ(asked.distance, distance);
+  }
 }
 
 }  // namespace

@@ -85,6 +85,28 @@ TEST(FarmServer, givesTheSameAsTheOptimiserInTheProcess) {
   EXPECT_TRUE(farmed.optimizer().save() == inProcess.optimizer().save());
 }
 
+TEST(FarmServer, saysWhetherTheSearchIsOverOrItWasStopped) {
+  Search whole = serverSearch(2), stopped = serverSearch(2);
+  const auto serve = [](Search& search, bool evaluated) {
+    const int stop = eventfd(0, EFD_CLOEXEC);
+    FarmServer server(search, nullptr, {"sphere", {}, 4}, {});
+    std::thread worker([&] {
+      if (evaluated) {
+        FarmClient client({"127.0.0.1", server.port(), ""}, "one");
+        evaluate(client);
+      } else {
+        eventfd_write(stop, 1);
+      }
+    });
+    const bool over = server.serve(stop);
+    worker.join();
+    close(stop);
+    return over;
+  };
+  EXPECT_TRUE(serve(whole, true));
+  EXPECT_FALSE(serve(stopped, false));
+}
+
 TEST(FarmServer, workersThatDieAreReplacedAndNothingIsLost) {
   Search inProcess = serverSearch(), farmed = serverSearch();
   LocalSource local(inProcess);

@@ -121,6 +121,20 @@ TEST_F(Charging, shortlyAfterAHarmlessCollisionIsNoFoul) {
   expectFoul(5);
 }
 
+TEST_F(Charging, shortlyAfterBeingChargedItIsAFoulAgain) {
+  auto& other = add(left, 7, 3, 0);
+  playOn();
+  collide();
+  expectFoul(5);
+  setVelocity(victim, 0.6, 0);
+  put(other, 0.6, 0);
+  pass(0.06);
+  world.contacts = {{other.robot, victim.robot, Vec3(0.45, 0, 0.3)}};
+  cycle();
+  ASSERT_EQ(fouls().size(), 2u) << "a foul is no harmless collision";
+  EXPECT_EQ(fouls()[1], std::pair(Foul::Kind::charging, -6)) << "of the right team";
+}
+
 TEST_F(Charging, whoDoesNotStandIsNotJudged) {
   put(charger, 0, 0, 0.2);
   playOn();

@@ -45,6 +45,41 @@ TEST(FidelityTable, targetsAreAbsoluteOrRelative) {
   EXPECT_EQ(line({}, 1e9, 1).allowed(), std::nullopt);
 }
 
+FidelityLine lineOf(const std::vector<FidelityLine>& lines, const std::string& figure) {
+  for (const FidelityLine& line : lines)
+    if (line.figure == figure) return line;
+  ADD_FAILURE() << "no figure " << figure;
+  return {};
+}
+
+TEST(FidelityTable, heightsOfABallAreThoseBetweenItsBounces) {
+  simspark::LeagueTrace trace;
+  trace.name = "ball_bounce";
+  for (const double z :
+       {1.0, 0.8, 0.4, 0.042, 0.3, 0.5, 0.45, 0.2, 0.042, 0.2, 0.25, 0.1, 0.042, 0.05, 0.042})
+    trace.rows.emplace_back().ball = {0, 0, z};
+  std::vector<simspark::TraceRow> ours = trace.rows;
+  ours[5].ball.z() = 0.49;
+  const std::vector<FidelityLine> lines = fidelityLines(trace, ours, {});
+  const FidelityLine first = lineOf(lines, "ball, height 1"), second = lineOf(lines, "ball, height 2");
+  EXPECT_EQ(first.league, 0.5);
+  EXPECT_EQ(first.ours, 0.49);
+  EXPECT_EQ(second.league, 0.25);
+  for (const FidelityLine& line : lines) EXPECT_NE(line.figure, "ball, height 3") << "it rolls";
+}
+
+TEST(FidelityTable, deviationsOfTheTorsoAreInMillimetres) {
+  simspark::LeagueTrace trace;
+  trace.rows.resize(200);
+  std::vector<simspark::TraceRow> ours = trace.rows;
+  ours[100].torso.translation().x() = 0.002;
+  for (const char* name : {"swing_t0", "stand_t0"}) {
+    trace.name = name;
+    EXPECT_NEAR(lineOf(fidelityLines(trace, ours, {}), "torso, largest deviation").difference, 2, 1e-9)
+        << name;
+  }
+}
+
 TEST(FidelityTable, theServersOwnSpreadLiftsTargetsOfGaitsAlone) {
   const auto walk = simspark::readLeagueTrace("tests/data/traces/ut_walk_t3.csv.gz");
   const auto again = simspark::readLeagueTrace("tests/data/traces/ut_walk_replay_t3.csv.gz");

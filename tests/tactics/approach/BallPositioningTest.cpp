@@ -83,6 +83,23 @@ TEST_F(BallPositioningTest, aDribblerBehindTheBallAimsBeyondIt) {
   EXPECT_GT(see({0.3, 0}).velocity.x(), without + 0.1);
 }
 
+// Beyond is along the wanted heading, so 0.2 m beyond a ball is where a ball that is 0.2 m farther would be.
+TEST_F(BallPositioningTest, aDribblerThatLooksAsideAimsBeyondTheBallAlongItsLine) {
+  p.biasGain = 0;
+  const Vec2 ball(0.4, 0), along(std::cos(0.3), std::sin(0.3));
+  const Vec2 farther = see(ball + 0.2 * along, 0.3).velocity;
+  wish.beyond = 0.2;
+  const Vec2 beyond = see(ball, 0.3).velocity;
+  EXPECT_LT((beyond - farther).norm(), 1e-9) << beyond.transpose() << " not " << farther.transpose();
+}
+
+TEST_F(BallPositioningTest, aDribblerOnItsWayAroundTheBallDoesNotAimBeyondIt) {
+  p.biasGain = 0;
+  const Vec2 without = see({-0.4, 0}).velocity;
+  wish.beyond = 0.2;
+  EXPECT_LT((see({-0.4, 0}).velocity - without).norm(), 1e-9);
+}
+
 TEST_F(BallPositioningTest, aDetourComesFirst) {
   wish.detour = Vec2(0, 2);
   EXPECT_GT(see({3, 0}).turn, 0.5);
