@@ -26,7 +26,8 @@ struct WalkTrialSetup {
                           ///< where pushes are the task the one of a try [m/s]
   bool stopEarly = true;  ///< gives up when the first tries all end in falls, counting the rest as such
   /// Of a direction: after each try comes a shorter one of the sprint cut to a share that the seed draws
-  /// (cutSprint). Every sprint passes through these speeds at its beginning and its end. Only the lean counts.
+  /// (cutSprint). Every sprint passes through these speeds at its beginning and its end. Only the lean
+  /// counts.
   bool alsoCut = false;
 };
 

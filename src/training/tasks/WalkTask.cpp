@@ -76,7 +76,8 @@ TaskOutcome WalkTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed)
   const WalkTrialResult result = tryWalk(*robot_, gaits(parameters), task_, trial);
   TaskOutcome outcome;
   outcome.cost = walkCost(task_, result);
-  outcome.figures = {{"speed", result.speed}, {"falls", result.falls}, {"drift", result.drift}, {"lean", result.lean}};
+  outcome.figures = {
+      {"speed", result.speed}, {"falls", result.falls}, {"drift", result.drift}, {"lean", result.lean}};
   return outcome;
 }
 
