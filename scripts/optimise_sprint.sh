@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Searches the sprint of a robot type in one direction in two stages: first without pushes, then with pushes, from what the first found.
 # Then the rule of `bin/optimizewalk --choose` cuts the sprints until minutes of tries have no fall (doc/reference/walk.md, "Finding a
-# walk"). The result is FOLDER/walking.yaml, a file for config/robots/simspark_typeTYPE/. About 11 minutes of two free cores. Stopped or
+# walk"). The result is FOLDER/walking.yaml, a file for config/robots/simspark_typeTYPE/. About 16 minutes of two free cores. Stopped or
 # killed, the same command goes on.
 #   scripts/optimise_sprint.sh TYPE [DIRECTION]     DIRECTION: forward, backward, sideways or turn [forward]
 # Variables: SEED of the first search [1]; the second has the next. WORKERS [2], FOLDER [sprintTYPE.search]. EFFORT multiplies the number
@@ -16,7 +16,7 @@ direction=${2:-forward} folder=${FOLDER:-sprint$type.search}
 [[ $direction =~ ^(forward|backward|sideways|turn)$ ]] || fail "no direction '$direction'; there are forward, backward, sideways, turn"
 
 # Largest push in m/s, seconds of a try, candidates of a generation, runs of each, generations, sigma.
-stages=("0 6 40 3 200 1" "0.1 8 36 4 100 0.4")
+stages=("0 6 40 3 120 0.8" "0.05 8 40 4 120 0.35")
 runsOfBest=12
 from=$root/config/robots/simspark_type$type/walking.yaml
 for ((i = 1; i <= ${#stages[@]}; ++i, ++seed)); do
