@@ -12,7 +12,7 @@ fail() { echo "fresh: $*" >&2; exit 2; }
 system=$(mktemp -d)
 leave() {
   local at
-  for at in proc sys dev; do umount -l "$system/$at" 2> /dev/null || true; done
+  for at in proc sys dev/pts dev; do umount -l "$system/$at" 2> /dev/null || true; done
   # What is still mounted must not be deleted.
   grep -q " $system/" /proc/mounts || rm -rf --one-file-system "$system"
 }
@@ -21,7 +21,7 @@ trap 'exit 130' INT TERM
 echo "fresh: makes an empty system from $mirror (a minute or two)"
 debootstrap --variant=minbase --include=ca-certificates,make,git bookworm "$system" "$mirror" > "$root/build/bench/fresh.system" 2>&1 ||
   { tail -n 3 "$root/build/bench/fresh.system" >&2; fail "debootstrap failed; all of it is in build/bench/fresh.system"; }
-for at in proc sys dev; do mount --bind "/$at" "$system/$at"; done
+for at in proc sys dev dev/pts; do mount --bind "/$at" "$system/$at"; done # dev/pts: tests have terminals
 cp /etc/resolv.conf /etc/hosts "$system/etc/"
 # Where a proxy signs for all sites, only this machine's certificates say that it may.
 cp /etc/ssl/certs/ca-certificates.crt "$system/etc/ssl/certs/"
