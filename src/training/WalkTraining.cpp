@@ -177,12 +177,13 @@ walking::WalkGaits trainWalk(
   Optimizer& search = *optimizer;
   if (!setup.state.empty()) search.restore(setup.state);
   WalkerPool pool(setup, gaits);
+  WalkTrialSetup tries = setup.trial;
+  tries.alsoCut = true;
   const char* task = walkTrialKindNames[static_cast<std::size_t>(setup.task)];
   char line[200];
   while (!search.isDone()) {
     const Eigen::MatrixXd candidates = search.ask();
-    WalkTrialSetup trial = setup.trial;
-    trial.alsoCut = true;
+    WalkTrialSetup trial = tries;
     trial.seed = setup.seed * 100000 + static_cast<std::uint64_t>(search.generations());
     const auto count = static_cast<std::size_t>(candidates.cols());
     std::vector<double> costs(count);
@@ -207,8 +208,7 @@ walking::WalkGaits trainWalk(
     }
     if (setup.store) setup.store(search.save());
   }
-  WalkTrialSetup last = setup.trial;
-  last.alsoCut = true;
+  WalkTrialSetup last = tries;
   last.seed = setup.seed * 100000 + 99999;
   last.tries *= 8;
   last.stopEarly = false;

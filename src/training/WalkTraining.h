@@ -45,7 +45,8 @@ struct WalkTrainingSetup {
   std::function<void(const std::string&, double)> report;
 };
 
-/// What a walk costs: lower is better. Falls weigh more than any speed they could be worth.
+/// What a walk costs: lower is better [m/s]. A direction pays for its lean, in which a fall is the largest;
+/// falls weigh more than any speed they could be worth.
 double walkCost(WalkTrialKind task, const WalkTrialResult& result);
 
 /// Searches with an optimiser from the gaits given, every generation with tries of its own. Returns the

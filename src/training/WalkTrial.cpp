@@ -112,7 +112,8 @@ bool tryDirection(Walker& robot, Random& random, const walking::WalkParameters& 
 /// The same with the sprint cut to a share that the seed draws; its lean is added to the result's.
 void tryCutSprint(Walker& robot, const walking::WalkGaits& gaits, std::uint64_t seed, WalkTrialKind task,
                   const WalkTrialSetup& setup, WalkTrialResult& result) {
-  constexpr double leastShare = 0.45, ofSeconds = 0.6;
+  constexpr double leastShare = 0.45;  // of the way from the omnidirectional speed to full speed
+  constexpr double ofSeconds = 0.6;    // share of a whole try's length
   Random random(~seed);
   const walking::WalkGaits cut = cutSprint(gaits, task, random.uniform(leastShare, 1));
   robot.use(cut);

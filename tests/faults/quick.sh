@@ -1,5 +1,5 @@
-# A few of the jobs of `make faults`, `make kills` and `make stops`: the first calls of each kind fail, or a signal comes, and a program ends
-# well or says why.
+# A few of the jobs of `make faults`, `make kills` and `make stops`: the first calls of each kind fail, a program is killed, or a
+# signal comes. It ends well or says why, and leaves no half-written file.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../.."
 FAULTS_OUT=$(mktemp -d)

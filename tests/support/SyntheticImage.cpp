@@ -82,7 +82,7 @@ Pose3 headOverGround(double headYaw, double headPitch, double height) {
 
 Pose3 onField(const Pose2& place) { return translation(place.x(), place.y(), 0) * rotationZ(place.heading); }
 
-FieldView fieldView(const simspark::See& see, const Pose3& T_ground_head, const VisionNoise& noise) {
+FieldView fieldView(const simspark::See& see, const Pose3& T_ground_head, const VisionModel& noise) {
   FieldView view;
   const auto project = [&](const simspark::Polar& p) {
     return projectToGround(p.distance, p.azimuth, p.elevation, T_ground_head, noise);
@@ -91,10 +91,11 @@ FieldView fieldView(const simspark::See& see, const Pose3& T_ground_head, const 
     const int index = FieldMap::landmarkIndex(object.name);
     if (index >= 0) view.landmarks.push_back({index, project(object.position)});
   }
+  const double border = std::tan(noise.imageBorder);
   for (const simspark::SeenLine& line : see.lines)
     view.lines.push_back({project(line.a), project(line.b),
-                          !atImageBorder(line.a.azimuth, line.a.elevation, noise),
-                          !atImageBorder(line.b.azimuth, line.b.elevation, noise)});
+                          !atImageBorder(line.a.azimuth, line.a.elevation, border),
+                          !atImageBorder(line.b.azimuth, line.b.elevation, border)});
   return view;
 }
 

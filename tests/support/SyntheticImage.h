@@ -35,6 +35,6 @@ Pose3 headOverGround(double headYaw = 0, double headPitch = 0, double height = 0
 Pose3 onField(const Pose2& place);
 
 /// The same image as the self-localisation takes it.
-FieldView fieldView(const simspark::See& see, const Pose3& T_ground_head, const VisionNoise& noise = {});
+FieldView fieldView(const simspark::See& see, const Pose3& T_ground_head, const VisionModel& noise = {});
 
 }  // namespace plumbline::test

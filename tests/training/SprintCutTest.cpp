@@ -5,25 +5,13 @@
 #include <stdexcept>
 
 #include "math/Types.h"
+#include "training/SprintingWalk.h"
 
 namespace plumbline::training {
 namespace {
 
-/// A slow walk whose sprint forward is three times as quick and higher.
-walking::WalkGaits longStrider() {
-  walking::WalkParameters base;
-  base.speed.omniForward = 0.2;
-  base.speed.maxForward = 0.6;
-  base.speed.omniSideways = 0.1;
-  base.speed.maxSideways = 0.3;
-  base.step.height = 0.02;
-  walking::WalkGaits gaits(base);
-  gaits.corner[0].step.height = 0.04;
-  return gaits;
-}
-
 TEST(SprintCut, aCutSprintGoesTheSameWayLessFar) {
-  const walking::WalkGaits all = longStrider(), half = cutSprint(all, WalkTrialKind::forward, 0.5);
+  const walking::WalkGaits all = sprintingWalk(), half = cutSprint(all, WalkTrialKind::forward, 0.5);
   EXPECT_NEAR(half.base.speed.maxForward, 0.4, 1e-12);
   EXPECT_EQ(half.base.speed.maxSideways, 0.3);
   for (const double speed : {0.1, 0.2, 0.3, 0.4})
@@ -33,7 +21,7 @@ TEST(SprintCut, aCutSprintGoesTheSameWayLessFar) {
 }
 
 TEST(SprintCut, nothingIsLeftOfASprintCutToNothing) {
-  const walking::WalkGaits none = cutSprints(longStrider(), 0);
+  const walking::WalkGaits none = cutSprints(sprintingWalk(), 0);
   EXPECT_EQ(none.base.speed.maxForward, 0.2);
   EXPECT_EQ(none.base.speed.maxSideways, 0.1);
   EXPECT_EQ(none.corner[0].step.height, 0.02);

@@ -2,23 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include "training/SprintingWalk.h"
 #include "training/WalkingRobot.h"
 
 namespace plumbline::training {
 namespace {
-
-/// A slow walk whose sprint forward is three times as quick and higher.
-walking::WalkGaits sprinter() {
-  walking::WalkParameters base;
-  base.speed.omniForward = 0.2;
-  base.speed.maxForward = 0.6;
-  base.speed.omniSideways = 0.1;
-  base.speed.maxSideways = 0.3;
-  base.step.height = 0.02;
-  walking::WalkGaits gaits(base);
-  gaits.corner[0].step.height = 0.04;
-  return gaits;
-}
 
 ChoiceSetup quick() {
   ChoiceSetup setup;
@@ -31,7 +19,7 @@ ChoiceSetup quick() {
 }
 
 TEST(WalkChoice, aSlowerMixtureLeavesFullSpeedsAlone) {
-  const walking::WalkGaits slow = slowMixture(sprinter(), 0.5);
+  const walking::WalkGaits slow = slowMixture(sprintingWalk(), 0.5);
   EXPECT_EQ(slow.base.speed.omniForward, 0.1);
   EXPECT_EQ(slow.corner[2].speed.omniSideways, 0.05);
   EXPECT_EQ(slow.base.speed.maxForward, 0.6);

@@ -33,10 +33,11 @@ void AugmentedSelfLocator::look() {
     if (const int index = FieldMap::landmarkIndex(seen.name); index >= 0)
       view_.landmarks.push_back({index, project(seen.position)});
   view_.lines.clear();
+  const double border = std::tan(vision.imageBorder);
   for (const PolarLine& seen : thePolarLinePercept->lines)
     view_.lines.push_back({project(seen.a), project(seen.b),
-                           !atImageBorder(seen.a.azimuth, seen.a.elevation, vision),
-                           !atImageBorder(seen.b.azimuth, seen.b.elevation, vision)});
+                           !atImageBorder(seen.a.azimuth, seen.a.elevation, border),
+                           !atImageBorder(seen.b.azimuth, seen.b.elevation, border)});
 }
 
 void AugmentedSelfLocator::drawSeen(Drawing& drawing) const {

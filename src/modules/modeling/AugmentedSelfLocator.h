@@ -29,7 +29,7 @@ MODULE(AugmentedSelfLocator)
   REQUIRES(Odometry)
   PROVIDES(RobotPose)
   PARAMETER_GROUP(PoseFilter::Parameters, filter, "the particle filter")
-  PARAMETER_GROUP(VisionNoise, vision, "standard deviations of percepts")
+  PARAMETER_GROUP(VisionModel, vision, "standard deviations of percepts")
 END_MODULE
 
 /// Where the robot is on the field: a particle filter over flags, goal posts and field lines (PoseFilter).

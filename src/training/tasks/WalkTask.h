@@ -21,9 +21,9 @@ struct WalkOptions {
 };
 
 /// The walk of a robot type in one direction at full speed, any mixture of requests, or under pushes: what
-/// bin/optimizewalk searches on one machine, as a task of the server. A run is one try, its cost
-/// walkCost. The file is the type's walking.yaml.
-/// Figures: speed, falls, drift, lean (WalkTrialResult).
+/// bin/optimizewalk searches on one machine, as a task of the server. A run is one try,
+/// of a direction also a shorter one of the cut sprint (alsoCut); its cost is walkCost. The file is the
+/// type's walking.yaml. Figures: speed, falls, drift, lean (WalkTrialResult).
 class WalkTask : public SearchTask {
 public:
   using Options = WalkOptions;

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
 # How long building takes, without the compiler cache, in a copy of the tree: what `make run` compiles from nothing. Also the agent
-# after one line was added to a module, for the first and the largest source of each folder, and make when nothing changed. Seconds of the clock, and of the
-# processor, which other programs hardly change. Packages are installed before. Writes build/bench/build.json and build.md.
-# `make bench-build` writes doc/results/build.md.
+# after one line was added to a module, for the first and the largest source of each folder, and make when nothing changed. Seconds of
+# the clock, and of the processor, which other programs hardly change. Packages are installed before. Writes build/bench/build.json and
+# build.md. `make bench-build` writes doc/results/build.md.
 set -euo pipefail
 root=$(cd "$(dirname "$0")/../../.." && pwd)
 unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES

@@ -96,7 +96,7 @@ TEST(AttitudeFilter, aRobotPutDownDifferentlyIsRightOnceStill) {
     }
   };
   stay(20);
-  body.R = rotationX(fromDegrees(80)).linear();  // no sensor has spoken
+  body.R = rotationX(fromDegrees(80)).linear();  // no sensor has measured it
   stay(70);
   EXPECT_TRUE(filter.still());
   EXPECT_LT(body.tiltError(filter), 1);

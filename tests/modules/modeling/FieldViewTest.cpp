@@ -36,12 +36,12 @@ TEST(FieldMap, hasTheLeaguesLines) {
 TEST(FieldView, isAsSureOfAPointAsTheNoiseAllows) {
   const Pose3 T_ground_head = translation(0, 0, 1);
   const double down = fromDegrees(-30);
-  VisionNoise none;
+  VisionModel none;
   none.distance = none.distanceShare = none.azimuth = none.elevation = none.offset = none.tilt = 0;
-  const auto covariance = [&](const VisionNoise& noise) {
+  const auto covariance = [&](const VisionModel& noise) {
     return projectToGround(2, 0, down, T_ground_head, noise).covariance;
   };
-  VisionNoise aside = none, along = none, above = none, tilted = none;
+  VisionModel aside = none, along = none, above = none, tilted = none;
   aside.azimuth = along.distanceShare = above.elevation = tilted.tilt = 0.01;
   EXPECT_NEAR(covariance(aside)(1, 1), std::pow(0.02 * std::cos(down), 2), 1e-12);
   EXPECT_NEAR(covariance(aside)(0, 0), 0, 1e-12);
@@ -61,7 +61,7 @@ TEST(FieldView, projectsThroughTheHeadsPose) {
 
 TEST(FieldView, covarianceIsThatOfManyNoisyPoints) {
   const Pose3 T_ground_head = translation(0, 0, 0.5) * rotationZ(0.4) * rotationY(0.3);
-  VisionNoise noise;
+  VisionModel noise;
   noise.offset = noise.tilt = 0;
   const double distance = 8, azimuth = 0.7, elevation = -0.1;
   const GroundPoint expected = projectToGround(distance, azimuth, elevation, T_ground_head, noise);
@@ -80,15 +80,14 @@ TEST(FieldView, covarianceIsThatOfManyNoisyPoints) {
 }
 
 TEST(FieldView, knowsTheBorderOfTheImage) {
-  const VisionNoise noise;
-  EXPECT_FALSE(atImageBorder(0, 0, noise));
-  EXPECT_FALSE(atImageBorder(fromDegrees(58), fromDegrees(-20), noise));
-  EXPECT_TRUE(atImageBorder(fromDegrees(-59.9), 0, noise));
-  EXPECT_TRUE(atImageBorder(0, fromDegrees(-59.9), noise));
+  const double border = std::tan(VisionModel().imageBorder);
+  EXPECT_FALSE(atImageBorder(0, 0, border));
+  EXPECT_FALSE(atImageBorder(fromDegrees(58), fromDegrees(-20), border));
+  EXPECT_TRUE(atImageBorder(fromDegrees(-59.9), 0, border));
+  EXPECT_TRUE(atImageBorder(0, fromDegrees(-59.9), border));
   // The lower border is a plane: beside the middle its elevation is smaller (a line of the league's samples).
-  EXPECT_TRUE(atImageBorder(fromDegrees(-32.67), fromDegrees(-55.58), noise));
-  VisionNoise narrow;
-  narrow.imageBorder = fromDegrees(30);
+  EXPECT_TRUE(atImageBorder(fromDegrees(-32.67), fromDegrees(-55.58), border));
+  const double narrow = std::tan(fromDegrees(30));
   EXPECT_TRUE(atImageBorder(fromDegrees(31), 0, narrow));
   EXPECT_FALSE(atImageBorder(fromDegrees(29), 0, narrow));
 }

@@ -7,7 +7,7 @@
 namespace plumbline {
 
 GroundPoint projectToGround(double distance, double azimuth, double elevation, const Pose3& T_ground_head,
-                            const VisionNoise& noise) {
+                            const VisionModel& noise) {
   const double ca = std::cos(azimuth), sa = std::sin(azimuth);
   const double ce = std::cos(elevation), se = std::sin(elevation);
   const Mat3 R = T_ground_head.linear();
@@ -33,8 +33,7 @@ GroundPoint projectToGround(double distance, double azimuth, double elevation, c
   return result;
 }
 
-bool atImageBorder(double azimuth, double elevation, const VisionNoise& noise) {
-  const double tangent = std::tan(noise.imageBorder);
+bool atImageBorder(double azimuth, double elevation, double tangent) {
   const double ce = std::cos(elevation);
   const double x = ce * std::cos(azimuth);
   return std::abs(ce * std::sin(azimuth)) > tangent * x || std::abs(std::sin(elevation)) > tangent * x;

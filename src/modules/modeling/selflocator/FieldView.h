@@ -7,10 +7,10 @@
 
 namespace plumbline {
 
-/// How far vision is off, standard deviations, and how far it reaches to each side. The defaults are
-/// SimSpark's (restrictedvisionperceptor).
-struct VisionNoise {
-  PARAMETERS(VisionNoise)
+/// What vision shows: standard deviations of its errors, and how far it reaches to each side. The defaults
+/// are SimSpark's (restrictedvisionperceptor).
+struct VisionModel {
+  PARAMETERS(VisionModel)
   PARAMETER(double, distanceShare, 0.000965, "", Range(0, 1), "of the distance, share of it")
   PARAMETER(double, distance, 0.0029, "m", Range(1e-6, 1), "of the distance, by rounding to a centimetre")
   PARAMETER(double, azimuth, 0.00258, "rad", Range(1e-6, 1), "of the azimuth (0.148 degrees)")
@@ -18,10 +18,10 @@ struct VisionNoise {
   PARAMETER(double, offset, 0.0029, "m", Range(0, 1),
             "fixed offset of a connection, along each axis of the head")
   PARAMETER(double, tilt, 0.004, "rad", Range(0, 1), "of the estimated orientation of the head")
-  PARAMETER(double, imageBorder, fromDegrees(59.4), "rad", Range(0.1, 1.5),
-            "a line that ends so far from the middle of the picture, to a side, is cut there (half the "
-            "picture less "
-            "four deviations of the angles)")
+  PARAMETER(
+      double, imageBorder, fromDegrees(59.4), "rad", Range(0.1, 1.5),
+      "a line that ends so far to a side of the picture's middle is cut there (half the picture less four "
+      "deviations of the angles)")
 };
 
 /// A seen point in the robot's ground frame (origin below the torso, x its heading).
@@ -34,11 +34,11 @@ struct GroundPoint {
 
 /// The point at this distance [m], azimuth [rad, + left] and elevation [rad, + up] from the head.
 GroundPoint projectToGround(double distance, double azimuth, double elevation, const Pose3& T_ground_head,
-                            const VisionNoise& noise);
+                            const VisionModel& noise);
 
-/// Whether a polar point lies at the border of the picture (imageBorder to each side in the planes of azimuth
-/// and of elevation), where lines are cut off.
-bool atImageBorder(double azimuth, double elevation, const VisionNoise& noise);
+/// Whether a polar point lies at the border of the picture, where lines are cut off. tangent: of
+/// VisionModel::imageBorder, which is to each side in the planes of azimuth and of elevation.
+bool atImageBorder(double azimuth, double elevation, double tangent);
 
 struct SeenLandmark {
   int index = 0;  ///< of FieldMap
