@@ -69,8 +69,8 @@ goesOn() { # page, which and how, file
     [[ $2 != *alone* ]] || endRunning "$1"
     [[ $2 != *instead* ]] || endRunning "$1" "${line%% *}"
     if [[ "$terminals " == *" $number "* ]]; then
-      # exec: the shell of `script`, which may be any, must not be what Ctrl-C ends
-      printf "(sleep 2; printf '\\\\003'; sleep 3) | script -qec 'exec %s' /dev/null\n" "${line%%#*}" > "$scratch/line"
+      # exec: the shell of `script`, which may be any, must not be what Ctrl-C ends. TERM: a cron job has none
+      printf "(sleep 2; printf '\\\\003'; sleep 3) | TERM=${TERM:-dumb} script -qec 'exec %s' /dev/null\n" "${line%%#*}" > "$scratch/line"
       runBlock "$1" "$scratch/line"
       continue
     fi
