@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 
+#include "gap/LegOnItsFoot.h"
 #include "gap/ThreeRecordings.h"
 #include "gap/answer/Answer.h"
 #include "gap/inference/AllJointFit.h"
@@ -26,16 +27,16 @@ protected:
   std::string answer(const std::vector<Trial>& trials, std::size_t most, std::size_t* parts = nullptr) const {
     InferenceOptions options;
     options.mostCauses = 2;
-    InferenceMemory memory(path, markOf(arm, trials, options), arm);
+    InferenceMemory memory(path, markOf(robot, trials, options), robot);
     options.memory = &memory;
     options.progress = [&](const std::string&, double) {
       if (most > 0 && memory.size() >= most) throw InferenceKilled();
     };
-    const Inference found = infer(arm, trials, options);
+    const Inference found = infer(robot, trials, options);
     AllJointFit further;
     if (found.diagnosis.verdict == Verdict::unknown)
-      further = fitOfAllJoints(arm, trials, found.diagnosis.explanation(), found.foundWithout, found.leftOut,
-                               options);
+      further = fitOfAllJoints(robot, trials, found.diagnosis.explanation(), found.foundWithout,
+                               found.leftOut, options);
     if (parts) *parts = memory.size();
     return textOf(found) + textOf(further);
   }
@@ -85,12 +86,12 @@ protected:
       }
       InferenceOptions options;
       options.mostCauses = 2;
-      EXPECT_EQ(InferenceMemory(path, markOf(arm, trials, options), arm).size(), n);
+      EXPECT_EQ(InferenceMemory(path, markOf(robot, trials, options), robot).size(), n);
     }
     EXPECT_EQ(answer(trials, 0), whole);
   }
 
-  const Mechanism arm = twoJointArm();
+  Mechanism robot = twoJointArm();
   const std::string path = ::testing::TempDir() + "plumbline-inference-resume";
 };
 
@@ -113,6 +114,12 @@ TEST_F(InferenceResumeTest, withOneRecordingThatIsCutIntoStretches) {
   std::vector<Trial> one = recordings({causeOfArm("viscous_friction", "shoulder", 0.2)}, 4);
   one.resize(1);
   expectTheSameAfterKills(one, 5);
+}
+
+TEST_F(InferenceResumeTest, withRecordingsHungUpAndOnTheFoot) {
+  // Of the three hung up: with all and without each. Then one more for the foot.
+  robot = legOnItsFoot();
+  expectTheSameAfterKills(legRecordings({causeOf(robot, "coulomb_friction", "knee", 0.15)}, 2), 5);
 }
 
 }  // namespace

@@ -28,4 +28,18 @@ inline Trial legTrial(bool floatingBase, double seconds = 6) {
   return trial;
 }
 
+/// Three motions hung up and two on the foot, with the causes in.
+inline std::vector<Trial> legRecordings(const Explanation& causes, double seconds = 4) {
+  std::vector<Trial> trials;
+  for (const bool stands : {false, false, false, true, true}) {
+    Trial trial = legTrial(stands, seconds);
+    const double size = 1 - 0.2 * static_cast<double>(trials.size() % 3);
+    for (std::vector<double>& commands : trial.command)
+      for (double& command : commands) command *= size;
+    trial.recording = trial.name = "run" + std::to_string(trials.size());
+    trials.push_back(recorded(plantOf(legOnItsFoot(), causes), trial, 5e-4, 3 + trials.size()));
+  }
+  return trials;
+}
+
 }  // namespace plumbline::gap

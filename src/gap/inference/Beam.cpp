@@ -12,8 +12,6 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr int stepsInSearch = 4, stepsAtLast = 12;
-
 /// Key of a set, independent of values and order.
 std::string nameOfSet(const Explanation& causes) {
   std::vector<std::string> names;
@@ -32,9 +30,10 @@ public:
       : replayer_(replayer),
         options_(options),
         shares_(sharesOf(replayer_.groups(), replayer_.residuals({}))),
-        own_(options_.screening ? nullptr
-                                : std::make_unique<CandidateScreening>(
-                                      replayer_, shares_, [this](double share) { report(0.3 * share); })),
+        own_(options_.screening
+                 ? nullptr
+                 : std::make_unique<CandidateScreening>(
+                       replayer_, shares_, ScreeningOptions{[this](double share) { report(0.3 * share); }})),
         screening_(options_.screening ? *options_.screening : *own_) {}
 
   BeamResult run() {
@@ -62,7 +61,7 @@ private:
     if (causes.size() > options_.mostCauses) return;
     std::string name = nameOfSet(causes);
     if (scored_.contains(name)) return;
-    Scored set = score(replayer_, shares_, causes, screening_.numKinds(), stepsInSearch);
+    Scored set = score(replayer_, shares_, causes, screening_.numKinds(), options_.fitSteps);
     // If the fit removed a cause, the set is the one without it.
     if (std::ranges::any_of(set.causes(),
                             [&](const Cause& cause) { return doesNothing(replayer_.mechanism(), cause); }))
@@ -162,7 +161,7 @@ BeamResult searchSets(const Replayer& replayer, const BeamOptions& options) {
   // each of its causes, because the complete fit can make one useless.
   const Shares shares = sharesOf(replayer.groups(), replayer.residuals(result.sets.front().causes()));
   const auto settled = [&](const Explanation& causes, const std::vector<Explanation>& starts) {
-    return score(replayer, shares, causes, result.kinds, stepsAtLast, LeaveOut::refit, starts);
+    return score(replayer, shares, causes, result.kinds, options.lastSteps, options.lastLeaveOut, starts);
   };
   Scored best = settled(result.sets.front().causes(), {});
   for (std::size_t i = 0; i < best.causes().size();) {

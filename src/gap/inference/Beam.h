@@ -9,8 +9,10 @@ namespace plumbline::gap {
 
 struct BeamOptions {
   std::size_t mostCauses = 8;
-  std::size_t width = 2;      ///< sets that are extended
-  std::size_t proposals = 5;  ///< causes that each is extended by
+  std::size_t width = 2;                    ///< sets that are extended
+  std::size_t proposals = 5;                ///< causes that each is extended by
+  int fitSteps = 4, lastSteps = 12;         ///< of each set's fit, and of the answer's
+  LeaveOut lastLeaveOut = LeaveOut::refit;  ///< of the answer
   std::function<void(double share)> progress = {};
   /// Of these groups, or of more; null: the search makes its own.
   const CandidateScreening* screening = nullptr;

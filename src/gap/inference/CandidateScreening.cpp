@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 #include "gap/inference/Likelihood.h"
+#include "gap/inference/MostToGain.h"
 #include "gap/inference/PossibleKinds.h"
 #include "gap/inference/Strengths.h"
 #include "gap/inference/Visible.h"
@@ -13,7 +15,8 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t mostGuessed = 24;  // kinds whose gain is worked out and not only guessed
-constexpr std::size_t mostClimbed = 36;  // kinds that stick of which further strengths are replayed
+constexpr std::size_t mostClimbed = 36;  // kinds of which more is replayed
+constexpr std::size_t slips = 4;         // times as many samples where feet slip and land
 constexpr double mostFactor = 4;         // of a start, up and down, that its sensitivity is trusted for
 constexpr double mostOfSticking = 1.4;   // the same, where a joint sticks
 constexpr double leastOfLinear = 0.02;   // of the start of an effect whose change is in proportion to it
@@ -57,59 +60,54 @@ struct CandidateScreening::Guessed {
   double share = 1;  ///< of the start's strength, that gains most
 };
 
+struct CandidateScreening::Worth {
+  Cause cause;
+  std::vector<char> trials;  ///< flags: looked at there first
+};
+
 CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& shares,
-                                       const std::function<void(double)>& progress)
-    : looked_(enoughTrials(replayer.groups())) {
+                                       const ScreeningOptions& options) {
   const Groups& groups = replayer.groups();
   const Mechanism& robot = replayer.mechanism();
   // If leaving others out leaves one recording only, it is cut into stretches.
   const std::size_t stretches = groups.count() <= 2 || groups.stretchesOfOne() ? 4 : 1;
-  for (const Trial& trial : groups.trials())
-    every_.push_back(std::max<std::size_t>(1, trial.cycles() / (stretches * enoughSamples)));
-  const Residuals nominal = replayer.residuals({});
-  // The most that a cause can gain: it removes everything from the cells of its chains that are above their
-  // noise.
-  std::vector<double> most(groups.cells().size());
-  for (std::size_t c = 0; c < most.size(); ++c) {
-    const Cell& cell = groups.cells()[c];
-    const Split now = split(residualsOf(cell, nominal));
-    if (std::abs(now.mean) <= cell.noise && likeliestScale(now.about, cell.noise) <= cell.noise) continue;
-    Split nothing = now;
-    for (double& of : nothing.about) of *= 0;  // what was not measured stays so
-    nothing.mean = 0;
-    most[c] = std::max(
-        0.0, stretchDensity(nothing, cell.noise, shares[c]) - stretchDensity(now, cell.noise, shares[c]));
+  for (const Trial& trial : groups.trials()) {
+    const std::size_t enough = (trial.freeBase ? slips : stretches) * enoughSamples;
+    every_.push_back(std::max<std::size_t>(1, trial.cycles() / enough));
   }
-  std::vector<Cause> possible = possibleKinds(groups, robot);
+  const std::vector<Cause> possible = possibleKinds(groups, robot);
   kinds_ = possible.size();
-  std::erase_if(possible, [&](const Cause& cause) {
-    double best = 0;
-    for (std::size_t c = 0; c < most.size(); ++c) {
-      const Cell& cell = groups.cells()[c];
-      const Trial& trial = groups.trials()[cell.trial];
-      const int joint = trial.signals[cell.signal].joint;
-      bool felt = trial.freeBase || (joint < 0 && cause.place.site == Site::imu);
-      for (std::size_t chain = 0; chain < replayer.chains().size() && !felt && joint >= 0; ++chain)
-        felt = std::ranges::find(replayer.chains()[chain], joint) != replayer.chains()[chain].end() &&
-               replayer.feels(chain, cause);
-      if (felt) best += most[c];
-    }
-    return best <= std::log(static_cast<double>(kinds_));
-  });
-  const Replayer coarse(robot, groups, replayer.jobs(), withLongSteps());
+  const MostToGain most(replayer, shares, kinds_);
+  std::vector<Worth> worth;
+  looked_.assign(groups.trials().size(), 0);
+  for (const Trial& trial : groups.trials()) onFeet_.push_back(trial.freeBase);
+  for (const Cause& cause : possible) {
+    if (std::ranges::any_of(replayer.base(), [&](const Cause& known) { return known.sameKind(cause); }))
+      continue;
+    std::vector<char> trials = most.trialsFor(cause);
+    if (std::ranges::find(trials, 1) == trials.end()) continue;
+    std::ranges::transform(looked_, trials, looked_.begin(), std::bit_or());
+    worth.push_back({cause, std::move(trials)});
+  }
+  // On the feet long steps slip at other moments.
+  const bool anyOnFeet = std::ranges::find(onFeet_, 1) != onFeet_.end();
+  const Replayer coarse(robot, groups, replayer.jobs(), anyOnFeet ? ReplayOptions() : withLongSteps(),
+                        replayer.base());
   const Residuals left = coarse.residuals({}, looked_);
-  replayStarts(coarse, left, possible, progress);
+  replayStarts(coarse, left, worth, options);
   replayFurtherStrengths(coarse, left, shares);
+  replayElsewhere(coarse, left, shares);
 }
 
 /// Difference of the residuals of two replays, thinned, in the signals that are used; none where they are
 /// equal.
 std::vector<CandidateScreening::Change> CandidateScreening::changesOf(const Groups& groups,
                                                                       const Residuals& nominal,
-                                                                      const Residuals& with) const {
+                                                                      const Residuals& with,
+                                                                      const std::vector<char>& looked) const {
   std::vector<Change> changes;
   for (std::size_t t = 0; t < groups.trials().size(); ++t)
-    for (std::size_t s = 0; s < groups.trials()[t].signals.size() && looked_[t]; ++s) {
+    for (std::size_t s = 0; s < groups.trials()[t].signals.size() && looked[t]; ++s) {
       if (!groups.uses()[t][s].used || with[t][s] == nominal[t][s]) continue;
       const std::size_t cycles = groups.trials()[t].cycles();
       const std::vector<double> a = thinned(*nominal[t][s], 0, cycles, every_[t]),
@@ -127,24 +125,29 @@ std::vector<CandidateScreening::Change> CandidateScreening::changesOf(const Grou
 }
 
 void CandidateScreening::replayStarts(const Replayer& replayer, const Residuals& nominal,
-                                      const std::vector<Cause>& worth,
-                                      const std::function<void(double)>& progress) {
+                                      const std::vector<Worth>& worth, const ScreeningOptions& options) {
   const Mechanism& robot = replayer.mechanism();
   for (std::size_t i = 0; i < worth.size(); ++i) {
-    if (progress) progress(static_cast<double>(i) / static_cast<double>(worth.size()));
-    const Effect& effect = *worth[i].effect;
+    if (options.progress) options.progress(static_cast<double>(i) / static_cast<double>(worth.size()));
+    const auto& [kind, trials] = worth[i];
+    const Effect& effect = *kind.effect;
     const std::size_t firstOfKind = starts_.size();
     for (const double value : effect.starts) {
-      Cause cause = worth[i];
+      Cause cause = kind;
       cause.value = value * effect.scaleAt(robot, cause.place);
       cause = withLogStrengths(robot, {cause}, logStrengths({cause})).front();
-      Start start{cause, {}};
+      if (options.startFor) {
+        const std::optional<Cause> other = options.startFor(cause);
+        if (!other) continue;
+        cause = *other;
+      }
+      Start start{cause, trials, {}};
       if (starts_.size() > firstOfKind && isOpposite(starts_[firstOfKind].cause, cause)) {
         start.changes = starts_[firstOfKind].changes;
         for (Change& change : start.changes)
           for (float& of : change.values) of = -of;
       } else {
-        start.changes = changesOf(replayer.groups(), nominal, replayer.residuals({cause}, looked_));
+        start.changes = changesOf(replayer.groups(), nominal, replayer.residuals({cause}, trials), trials);
       }
       if (!start.changes.empty()) starts_.push_back(std::move(start));
     }
@@ -228,6 +231,16 @@ CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const 
   return guessed;
 }
 
+/// The better of a guess and, where feet slip and land, of the start as it was replayed: a part of it would
+/// change something else there.
+CandidateScreening::Guessed CandidateScreening::rate(const Start& start, const Left& left) const {
+  const Guessed guessed = guess(start, left);
+  if (std::ranges::none_of(start.changes, [&](const Change& change) { return onFeet_[change.trial]; }))
+    return guessed;
+  const double gain = gainOf(start, left, 1);
+  return gain > guessed.gain ? Guessed{gain, gain, 1} : guessed;
+}
+
 double CandidateScreening::gainOf(const Start& start, const Left& left, double share) const {
   double gain = 0;
   for (const Change& change : start.changes)
@@ -269,18 +282,13 @@ CandidateScreening::Left CandidateScreening::leftOf(const Groups& groups, const 
   return left;
 }
 
-// Larger strengths, then smaller ones, each half or double the one before, while they gain.
-void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const Residuals& nominal,
-                                                const Shares& shares) {
-  const Left left = leftOf(replayer.groups(), nominal, shares);
-  struct Rated {
-    std::size_t start;
-    double gain;
-  };
-  std::vector<Rated> best;  // of each kind that sticks
+/// The best start of each kind that gains, the best kinds first. Starts of a kind follow each other.
+std::vector<CandidateScreening::Rated> CandidateScreening::bestOfKinds(
+    const Left& left, const std::function<bool(const Start&)>& wanted) const {
+  std::vector<Rated> best;
   for (std::size_t i = 0; i < starts_.size(); ++i) {
-    if (!starts_[i].cause.effect->sticks) continue;
-    const Rated rated{i, guess(starts_[i], left).gain};
+    if (!wanted(starts_[i])) continue;
+    const Rated rated{i, rate(starts_[i], left).gain};
     const bool same = !best.empty() && starts_[best.back().start].cause.sameForm(starts_[i].cause);
     if (!same)
       best.push_back(rated);
@@ -290,6 +298,15 @@ void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const 
   std::erase_if(best, [](const Rated& of) { return !(of.gain > 0); });
   std::ranges::stable_sort(best, std::ranges::greater(), &Rated::gain);
   if (best.size() > mostClimbed) best.resize(mostClimbed);
+  return best;
+}
+
+// Larger strengths, then smaller ones, each half or double the one before, while they gain.
+void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const Residuals& nominal,
+                                                const Shares& shares) {
+  const Left left = leftOf(replayer.groups(), nominal, shares);
+  const std::vector<Rated> best =
+      bestOfKinds(left, [](const Start& start) { return start.cause.effect->sticks; });
   std::vector<std::vector<Start>> further(starts_.size());  // by the start that they began at
   for (const auto& [from, gain] : best)
     for (const double way : {std::log(2.0), -std::log(2.0)}) {
@@ -298,8 +315,10 @@ void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const 
         const Cause next =
             withLogStrengths(replayer.mechanism(), {cause}, logStrengths({cause}).array() + way).front();
         if (next == cause) break;
-        Start start{next, changesOf(replayer.groups(), nominal, replayer.residuals({next}, looked_))};
-        const double now = guess(start, left).gain;
+        const std::vector<char>& looked = starts_[from].looked;
+        Start start{next, looked,
+                    changesOf(replayer.groups(), nominal, replayer.residuals({next}, looked), looked)};
+        const double now = rate(start, left).gain;
         if (!(now > before)) break;
         further[from].push_back(std::move(start));
         before = now;
@@ -314,6 +333,18 @@ void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const 
   starts_ = std::move(all);
 }
 
+// Those that were looked at in some of the trials alone would seem to gain less than others.
+void CandidateScreening::replayElsewhere(const Replayer& replayer, const Residuals& nominal,
+                                         const Shares& shares) {
+  const Left left = leftOf(replayer.groups(), nominal, shares);
+  for (const Rated& rated : bestOfKinds(left, [&](const Start& start) { return start.looked != looked_; })) {
+    Start& start = starts_[rated.start];
+    start.changes =
+        changesOf(replayer.groups(), nominal, replayer.residuals({start.cause}, looked_), looked_);
+    start.looked = looked_;
+  }
+}
+
 std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const Explanation& base,
                                                   const Shares& shares, std::size_t most) const {
   const Left left = leftOf(within.groups(), within.residuals(base), shares);
@@ -326,7 +357,7 @@ std::vector<Proposal> CandidateScreening::propose(const Replayer& within, const 
   std::vector<KindGuess> candidates;
   for (const Start& start : starts_) {
     if (std::ranges::any_of(base, [&](const Cause& cause) { return cause.sameKind(start.cause); })) continue;
-    const Guessed guessed = guess(start, left);
+    const Guessed guessed = rate(start, left);
     if (!(guessed.gain > 0 && guessed.toNoise > 0)) continue;
     const bool same = !candidates.empty() && candidates.back().start->cause.sameForm(start.cause);
     if (!same)

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "gap/diagnosis/Noise.h"
 #include "gap/replay/CurrentSide.h"
@@ -42,19 +43,26 @@ Groups::Groups(std::vector<Trial> trials)
 }
 
 Groups Groups::without(std::size_t group) const {
-  Groups other;
-  other.all_ = all_;
-  other.channels_ = channels_;
-  other.bounds_ = bounds_;
-  other.recordingOf_ = recordingOf_;
-  other.in_ = in_;
-  other.stretches_ = stretches_;
+  Groups other = *this;
   std::size_t seen = 0;
   for (char& flag : other.in_)
     if (flag && seen++ == group) {
       flag = 0;
       break;
     }
+  other.number();
+  return other;
+}
+
+Groups Groups::withFixedBaseAsOne() const {
+  Groups other = *this;
+  std::optional<std::size_t> first;
+  for (std::size_t t = 0; t < all_->size(); ++t) {
+    if ((*all_)[t].freeBase) continue;
+    if (!first) first = recordingOf_[t];
+    if (recordingOf_[t] != *first) other.in_[recordingOf_[t]] = 0;
+    other.recordingOf_[t] = *first;
+  }
   other.number();
   return other;
 }
@@ -72,8 +80,9 @@ void Groups::number() {
     for (std::size_t t = 0; t < all_->size(); ++t) trialIn[t] = recordingOf_[t] == 0;
   }
   groups_ = 0;
-  std::vector<std::size_t> numberOf(in_.size());
-  for (std::size_t i = 0; i < in_.size(); ++i) numberOf[i] = in_[i] ? groups_++ : 0;
+  scored_.clear();
+  numberOf_.resize(in_.size());
+  for (std::size_t i = 0; i < in_.size(); ++i) numberOf_[i] = in_[i] ? groups_++ : 0;
   members_.assign(groups_, std::vector<char>(all_->size(), 0));
   for (std::size_t t = 0; t < all_->size(); ++t) {
     const Trial& trial = (*all_)[t];
@@ -83,7 +92,7 @@ void Groups::number() {
       const ChannelUse& use = (*channels_)[t][s];
       for (std::size_t part = 0; part < parts && use.used; ++part) {
         if (stretches_ && !in_[part]) continue;
-        const Cell cell{numberOf[stretches_ ? part : recordingOf_[t]],
+        const Cell cell{numberOf_[stretches_ ? part : recordingOf_[t]],
                         t,
                         s,
                         bounds[part],
@@ -125,10 +134,10 @@ bool Groups::holds(std::size_t trial) const {
 }
 
 std::size_t Groups::groupOf(std::size_t trial, std::size_t cycle) const {
-  if (!stretches_) return recordingOf_[trial];
+  if (!stretches_) return numberOf_[recordingOf_[trial]];
   const std::vector<std::size_t>& bounds = (*bounds_)[trial];
   const auto next = std::upper_bound(bounds.begin() + 1, bounds.end() - 1, cycle);
-  return static_cast<std::size_t>(next - bounds.begin()) - 1;
+  return numberOf_[static_cast<std::size_t>(next - bounds.begin()) - 1];
 }
 
 }  // namespace plumbline::gap

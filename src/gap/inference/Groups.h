@@ -24,6 +24,8 @@ public:
 
   /// The same without one group: the others, renumbered; one that is left alone is cut into stretches.
   Groups without(std::size_t group) const;
+  /// All, the recordings with a fixed base as one group.
+  Groups withFixedBaseAsOne() const;
 
   const std::vector<Trial>& trials() const { return *all_; }
   const std::vector<std::vector<ChannelUse>>& uses() const { return *channels_; }
@@ -33,7 +35,7 @@ public:
   /// Whether a trial has anything in a group, or in any.
   bool holds(std::size_t group, std::size_t trial) const { return members_[group][trial] != 0; }
   bool holds(std::size_t trial) const;
-  /// The number of the group that a trial's cycle is in. Only of groups that none was left out of.
+  /// The number of the group that a trial's cycle is in. Only of trials whose group was not left out.
   std::size_t groupOf(std::size_t trial, std::size_t cycle) const;
 
 private:
@@ -47,6 +49,7 @@ private:
   std::vector<char> in_;                  ///< per recording, or per stretch of the only one: still there
   bool stretches_ = false;
   std::size_t groups_ = 0;
+  std::vector<std::size_t> numberOf_;  ///< per recording or stretch that is still there
   std::vector<Cell> scored_;
   std::vector<std::vector<char>> members_;  ///< per group and trial
 };

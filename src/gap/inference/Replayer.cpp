@@ -47,8 +47,9 @@ void takeLeadOff(const Signal& signal, const std::vector<double>& rates, std::ve
 
 }  // namespace
 
-Replayer::Replayer(const Mechanism& robot, const Groups& groups, int jobs, const ReplayOptions& options)
-    : robot_(robot), data_(groups), threads_(jobs), accuracy_(options) {
+Replayer::Replayer(const Mechanism& robot, const Groups& groups, int jobs, const ReplayOptions& options,
+                   Explanation base)
+    : robot_(robot), data_(groups), threads_(jobs), accuracy_(options), fixed_(std::move(base)) {
   std::map<int, std::size_t> chainOfRoot;
   for (int joint = 0; joint < robot_.numJoints(); ++joint) {
     const std::vector<int> chain = robot_.chain(robot_.joints[static_cast<std::size_t>(joint)].child);
@@ -62,11 +63,12 @@ Replayer::Replayer(const Mechanism& robot, const Groups& groups, int jobs, const
   rates_ = std::make_shared<const std::vector<std::vector<std::vector<double>>>>(std::move(rates));
 }
 
-Replayer::Replayer(const Replayer& whole, const Groups& groups)
+Replayer::Replayer(const Replayer& whole, const Groups& groups, Explanation base)
     : robot_(whole.robot_),
       data_(groups),
       threads_(whole.threads_),
       accuracy_(whole.accuracy_),
+      fixed_(std::move(base)),
       chainJoints_(whole.chainJoints_),
       rates_(whole.rates_),
       memory_(whole.memory_) {}
@@ -120,6 +122,8 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
   const bool whole = trial.freeBase, body = !whole && chain == chainJoints_.size();
   ReplayOptions options = accuracy_;
   if (!whole) options.joints = chainJoints_[body ? 0 : chain];
+  // Shorter steps would change a whole robot on its feet, whatever gear they are made for.
+  if (whole) options.gearStep = options.step;
   const Plant plant = plantOf(trial, causes);
   const Prediction prediction = replay(plant, trial, options);
   auto played = std::make_shared<std::vector<std::pair<std::size_t, Series>>>();
@@ -141,7 +145,9 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
   return played;
 }
 
-Residuals Replayer::residuals(const Explanation& causes, const std::vector<char>& wanted) const {
+Residuals Replayer::residuals(const Explanation& hypothesis, const std::vector<char>& wanted) const {
+  Explanation causes = fixed_;
+  causes.insert(causes.end(), hypothesis.begin(), hypothesis.end());
   std::vector<Task> tasks;
   const std::size_t count = data_.trials().size();
   for (std::size_t t = 0; t < count; ++t) {

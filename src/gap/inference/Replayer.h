@@ -23,19 +23,24 @@ using Residuals = std::vector<std::vector<Series>>;
 /// A constant lead of a channel within 0.2 ms, as two integrators differ by, is taken off.
 class Replayer {
 public:
-  Replayer(const Mechanism& robot, const Groups& groups, int jobs, const ReplayOptions& accuracy = {});
+  /// base: causes that the robot has with every hypothesis.
+  Replayer(const Mechanism& robot, const Groups& groups, int jobs, const ReplayOptions& accuracy = {},
+           Explanation base = {});
 
-  /// The same for some of the groups (Groups::without): what was replayed for one serves the other.
-  Replayer(const Replayer& whole, const Groups& groups);
+  /// The same for other groups of the same trials (Groups::without): what was replayed for one serves the
+  /// other.
+  Replayer(const Replayer& whole, const Groups& groups) : Replayer(whole, groups, whole.fixed_) {}
+  Replayer(const Replayer& whole, const Groups& groups, Explanation base);
 
   /// wanted: one flag per trial; empty: all that are in a group. Trials not wanted stay empty.
-  Residuals residuals(const Explanation& causes, const std::vector<char>& wanted = {}) const;
+  Residuals residuals(const Explanation& hypothesis, const std::vector<char>& wanted = {}) const;
   /// Joints of the chains that feel a cause where the base is fixed.
   const std::vector<std::vector<int>>& chains() const { return chainJoints_; }
   bool feels(std::size_t chain, const Cause& cause) const;
 
   const Mechanism& mechanism() const { return robot_; }
   const Groups& groups() const { return data_; }
+  const Explanation& base() const { return fixed_; }
   int jobs() const { return threads_; }
   /// So far, with those for other groups.
   std::size_t numReplays() const { return memory_->replays; }
@@ -58,6 +63,7 @@ private:
   const Groups& data_;
   int threads_;
   ReplayOptions accuracy_;
+  Explanation fixed_;
   std::vector<std::vector<int>> chainJoints_;
   /// Per trial and signal: the measured slope in each cycle.
   std::shared_ptr<const std::vector<std::vector<std::vector<double>>>> rates_;

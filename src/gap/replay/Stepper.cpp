@@ -303,6 +303,7 @@ void Stepper::step(double from, double to) {
     if (round + 1 == maxRegimes) gears_ = gearsUsed_;
   }
   advance(h);
+  if (imuIsLate_) sampleImu(to);
 }
 
 void Stepper::advance(double h) {

@@ -94,6 +94,7 @@ private:
   void placeOnGround();
   void standOn(int foot);
   double heightOnGround() const;
+  void sampleImu(double t);
 
   const Plant& plant_;
   const Trial& trial_;
@@ -120,8 +121,10 @@ private:
   SmallFactor::Rows solved_;
   Eigen::VectorXd acceleration_;
   bool hasFallen_ = false;
-  // Whole-robot readings, stored for a delayed IMU.
-  std::vector<double> bodyTime_;
+  // Readings of the IMU: per cycle, or after every step if it is late. Commands change once a cycle, and the
+  // torso feels it, so between two cycles its acceleration is not on a line.
+  bool imuIsLate_ = false;
+  std::vector<double> cycleTime_, imuTime_;
   std::vector<Vec3> gyro_, specificForce_;
 };
 

@@ -9,19 +9,20 @@
 namespace plumbline::gap {
 
 void Stepper::beginBody() {
-  bodyTime_.clear();
+  cycleTime_.clear();
+  imuTime_.clear();
   gyro_.clear();
   specificForce_.clear();
+  imuIsLate_ = trial_.freeBase && plant_.imu.delay > 0;
 }
 
-void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_t>& signals,
-                       std::vector<std::vector<double>>& values) {
+void Stepper::sampleImu(double t) {
   tree_.update(T_world_base_.linear(), q_.data() + tree_.baseSize(), v_.data());
   const Mechanism::Imu& imu = plant_.mechanism.imu;
   const bool carried = imu.link == 0 || trial_.freeBase;
   const Mat3 R_world_sensor = (carried ? tree_.rotation(imu.link) : Mat3(Mat3::Identity())) *
                               rotationOfRpy(imu.rpy) * plant_.imu.R_true_sensor;
-  bodyTime_.push_back(t);
+  imuTime_.push_back(t);
   if (trial_.freeBase) {
     gyro_.emplace_back(R_world_sensor.transpose() * tree_.angularVelocity(imu.link));
     const Vec3 point = tree_.origin(imu.link) + tree_.rotation(imu.link) * imu.accelerometer;
@@ -32,6 +33,15 @@ void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_
     specificForce_.emplace_back(-(R_world_sensor.transpose() * plant_.mechanism.gravity));
   }
   gyro_.back() += plant_.imu.gyroBias;
+}
+
+void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_t>& signals,
+                       std::vector<std::vector<double>>& values) {
+  cycleTime_.push_back(t);
+  if (imuTime_.empty() || !imuIsLate_)
+    sampleImu(t);
+  else
+    tree_.update(T_world_base_.linear(), q_.data() + tree_.baseSize(), v_.data());
   if (!trial_.freeBase) return;
 
   const std::array<double, 7> pose = poseValues(T_world_base_);
@@ -52,18 +62,21 @@ void Stepper::readBody(std::size_t cycle, double t, const std::vector<std::size_
 
 void Stepper::endBody(const std::vector<std::size_t>& signals,
                       std::vector<std::vector<double>>& values) const {
+  constexpr double rounding = 1e-9;  // [s]
   for (const std::size_t s : signals) {
     const Signal& signal = trial_.signals[s];
-    if (signal.kind != SignalKind::gyro && signal.kind != SignalKind::accelerometer) continue;
-    const std::vector<Vec3>& series = signal.kind == SignalKind::gyro ? gyro_ : specificForce_;
-    std::size_t at = 0;
-    for (std::size_t k = 0; k < bodyTime_.size(); ++k) {
-      const double when = bodyTime_[k] - plant_.imu.delay;
-      while (at + 1 < bodyTime_.size() && bodyTime_[at + 1] <= when) ++at;
+    const bool turning = signal.kind == SignalKind::gyro;
+    if (!turning && signal.kind != SignalKind::accelerometer) continue;
+    const std::vector<Vec3>& series = turning ? gyro_ : specificForce_;
+    std::size_t at = 0;  // the sample at that time, or the first after it
+    for (std::size_t k = 0; k < cycleTime_.size(); ++k) {
+      const double when = imuIsLate_ ? cycleTime_[k] - plant_.imu.delay : cycleTime_[k];
+      while (at + 1 < imuTime_.size() && imuTime_[at] < when - rounding) ++at;
       double value = series[at][signal.axis];
-      if (at + 1 < bodyTime_.size() && when > bodyTime_[at]) {
-        const double share = (when - bodyTime_[at]) / (bodyTime_[at + 1] - bodyTime_[at]);
-        value += share * (series[at + 1][signal.axis] - value);
+      // A speed changes on a line within a step, an acceleration is that of the step.
+      if (turning && at > 0 && imuTime_[at] > when) {
+        const double share = (imuTime_[at] - when) / (imuTime_[at] - imuTime_[at - 1]);
+        value += share * (series[at - 1][signal.axis] - value);
       }
       values[s][k] = value;
     }

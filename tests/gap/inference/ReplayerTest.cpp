@@ -5,6 +5,8 @@
 #include <cmath>
 
 #include "../DutyTrial.h"
+#include "../LegOnItsFoot.h"
+#include "../ThreeRecordings.h"
 
 namespace plumbline::gap {
 
@@ -37,6 +39,31 @@ TEST(Replayer, aDutyWorkedOutAMillisecondEarlierIsNoGap) {
     left += std::pow((*residuals[0].back())[k], 2);
   }
   EXPECT_LT(left, 0.1 * shifted);
+}
+
+TEST(Replayer, aBaseIsInEveryHypothesis) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({}, 2));
+  const Cause friction = causeOfArm("coulomb_friction", "elbow", 0.2),
+              force = causeOfArm("bias_force", "shoulder", 0.3);
+  const Replayer plain(arm, groups, 1), with(plain, groups, {friction});
+  const Residuals both = plain.residuals({friction, force}), one = plain.residuals({friction});
+  EXPECT_EQ((*with.residuals({force})[0][1])[50], (*both[0][1])[50]);
+  EXPECT_EQ((*with.residuals({})[0][1])[50], (*one[0][1])[50]);
+  EXPECT_NE((*plain.residuals({})[0][1])[50], (*one[0][1])[50]);
+  // For other groups it keeps it.
+  EXPECT_EQ(Replayer(with, groups).base(), Explanation{friction});
+}
+
+TEST(Replayer, aGearDoesNotShortenTheStepsOfARobotOnItsFoot) {
+  // Else any gear would explain what long steps do wrong.
+  const Mechanism leg = legOnItsFoot();
+  Trial trial = recorded(plantOf(leg, {}), legTrial(true, 2), 0, 3);
+  const Groups groups({trial});
+  const Cause none = causeOf(leg, "joint_compliance", "knee", 1e-9);
+  const Replayer replayer(leg, groups, 1);
+  const Residuals with = replayer.residuals({none}), nominal = replayer.residuals({});
+  for (std::size_t k = 100; k < 150; ++k) EXPECT_NEAR((*with[0][0])[k], (*nominal[0][0])[k], 2e-6);
 }
 
 }  // namespace plumbline::gap

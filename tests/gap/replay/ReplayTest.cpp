@@ -48,6 +48,41 @@ Trial loggedAt(double rate, const Trial& trial) {
   return log;
 }
 
+TEST(ReplayTest, aLateImuReadsWhatTheTorsoDidWithinACycle) {
+  // The same commands, logged once more in each cycle, 4 ms before the next: a sensor that is 4 ms late shows
+  // that reading. On a line from cycle to cycle it would be off by what each command jerks the body with.
+  Mechanism leg = legOnItsFoot();
+  leg.hasImu = true;
+  Trial trial = legTrial(true, 3);
+  for (const SignalKind kind : {SignalKind::gyro, SignalKind::accelerometer}) {
+    Signal& signal = trial.signals.emplace_back();
+    signal.kind = kind;
+    signal.axis = kind == SignalKind::gyro ? 1 : 0;
+    signal.values.assign(trial.cycles(), 0);
+  }
+  Trial twice = trial;
+  const auto doubled = [](const std::vector<double>& values, double shift) {
+    std::vector<double> all;
+    for (const double value : values) all.insert(all.end(), {value, value + shift});
+    return all;
+  };
+  twice.time = doubled(trial.time, 0.006);
+  for (std::vector<double>& command : twice.command) command = doubled(command, 0);
+  for (Signal& signal : twice.signals) signal.values = doubled(signal.values, 0);
+  Plant late = nominalPlant(leg);
+  late.imu.delay = 0.004;
+  const Prediction shown = replay(late, trial), within = replay(nominalPlant(leg), twice),
+                   onTime = replay(nominalPlant(leg), trial);
+  double offLine = 0;
+  for (std::size_t k = 1; k < trial.cycles(); ++k) {
+    EXPECT_NEAR(shown.values[2][k], within.values[2][2 * k - 1], 1e-9);
+    EXPECT_NEAR(shown.values[3][k], within.values[3][2 * k - 1], 1e-9);
+    const double line = 0.4 * onTime.values[3][k - 1] + 0.6 * onTime.values[3][k];
+    offLine = std::max(offLine, std::abs(shown.values[3][k] - line));
+  }
+  EXPECT_GT(offLine, 0.1);  // [m/s^2]
+}
+
 TEST(ReplayTest, aStepSpansTheCyclesOfALogThatIsFaster) {
   const Mechanism arm = twoJointArm();
   const Trial trial = loggedAt(1000, armTrial(arm, 3, 0.2));

@@ -1,0 +1,167 @@
+#include "gap/inference/StagedSearch.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "gap/inference/CauseKinds.h"
+#include "gap/inference/PossibleKinds.h"
+#include "gap/inference/Posterior.h"
+#include "gap/inference/RuledOut.h"
+#include "gap/inference/SetSearch.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr std::size_t mostOfManyKinds = 12;  // causes in a set of a robot with more
+const std::string setsOfCauses = "sets of causes";
+const std::string setsOnFeet = "sets of causes on the feet";
+
+/// A set as it is judged without a group, with the values that it has then.
+Scored withoutGroup(const Scored& set, std::size_t group) {
+  Scored other;
+  other.fitted.causes = set.without[group];
+  other.price = set.price;
+  for (std::size_t g = 0; g < set.gain.size(); ++g)
+    if (g != group) other.gain.push_back(set.gain[g]), other.without.push_back(set.without[g]);
+  return other;
+}
+
+/// The choice among the sets that were found, made again without each group.
+std::vector<FoundWithout> chosenWithoutEach(const std::vector<Scored>& sets, std::size_t groups) {
+  std::vector<FoundWithout> chosen;
+  for (std::size_t g = 0; g < groups; ++g) {
+    FoundWithout& of = chosen.emplace_back();
+    for (const Scored& set : sets) of.sets.push_back(withoutGroup(set, g));
+    std::ranges::stable_sort(of.sets, std::ranges::greater(), &Scored::score);
+    of.causes = of.sets.front().causes();
+    of.probabilities = posterior(of.sets);
+  }
+  return chosen;
+}
+
+}  // namespace
+
+StagedSearch::StagedSearch(const Replayer& whole, const InferenceOptions& options)
+    : whole_(whole), options_(options) {
+  const std::vector<Trial>& trials = whole_.groups().trials();
+  const bool anyFree = std::ranges::any_of(trials, &Trial::freeBase),
+             anyFixed = !std::ranges::all_of(trials, &Trial::freeBase);
+  twoStages_ = anyFree && anyFixed;
+  if (twoStages_) {
+    std::vector<Trial> fixed;
+    std::ranges::copy_if(trials, std::back_inserter(fixed), std::logical_not(), &Trial::freeBase);
+    stages_.push_back(
+        std::make_unique<SearchStage>(whole_.mechanism(), Groups(std::move(fixed)), options.jobs));
+  } else {
+    stages_.push_back(std::make_unique<SearchStage>(whole_, whole_.groups()));
+  }
+  const SearchStage& first = *stages_.front();
+  few_ = hasFewKinds(first.groups, whole_.mechanism());
+  if (!anyFixed) return;
+  if (few_)
+    windows_.emplace(whole_.mechanism(), first.groups, options.jobs);
+  else
+    coarse_.emplace(whole_.mechanism(), first.groups, options.jobs, withLongSteps());
+}
+
+std::size_t StagedSearch::numAsked() const {
+  return whole_.numAsked() + (twoStages_ ? stages_.front()->replayer.numAsked() : 0) +
+         (coarse_ ? coarse_->numAsked() : 0) + (windows_ ? windows_->numAsked() : 0);
+}
+
+void StagedSearch::run(StoredParts& parts) {
+  searchAllKinds(*stages_.front(), parts);
+  if (!twoStages_) return;
+  stages_.push_back(std::make_unique<SearchStage>(whole_, whole_.groups().withFixedBaseAsOne(),
+                                                  stages_.front()->best().causes()));
+  searchKindsLeft(*stages_.back(), parts);
+}
+
+void StagedSearch::searchAllKinds(SearchStage& stage, StoredParts& parts) {
+  const SearchTools tools{stage.replayer, windows_ ? &*windows_ : nullptr, coarse()};
+  std::optional<CandidateScreening> screening;
+  SetSearchOptions search;
+  // The screening serves all searches, but takes long: where all are stored, nobody needs it.
+  const auto searched = [&](const std::string& name, std::size_t count,
+                            const std::function<BeamResult()>& run) {
+    if (!screening && !parts.holdsSearch(name, count)) {
+      parts.uncounted([&] {
+        report("each cause alone", 0);
+        ScreeningOptions each;
+        each.progress = [&](double share) { report("each cause alone", share); };
+        screening.emplace(stage.replayer, sharesOf(stage.groups, stage.replayer.residuals({})), each);
+      });
+      search.screening = &*screening;
+    }
+    return parts.search(name, count, run);
+  };
+  if (!few_) search.mostCauses = mostOfManyKinds;
+  if (options_.mostCauses > 0) search.mostCauses = options_.mostCauses;
+  search.progress = [&](double share) { report("sets of causes", share); };
+  stage.found = searched(setsOfCauses, stage.groups.count(), [&] { return searchForSets(tools, search); });
+  stage.probabilities = posterior(stage.found.sets);
+  search.expectMany = coarse_ && stage.best().causes().size() > mostSetBySet;
+  search.progress = [&](double share) { report("again without each recording in turn", share); };
+  stage.without = findWithoutEach(tools, search, [&](std::size_t g, std::size_t left, const auto& run) {
+    return searched(setsOfCauses + nameWithout(g), left, run);
+  });
+}
+
+void StagedSearch::searchKindsLeft(SearchStage& stage, StoredParts& parts) {
+  const SearchStage& first = *stages_.front();
+  SetSearchOptions search;
+  if (!few_) search.mostCauses = mostOfManyKinds;
+  if (options_.mostCauses > 0) search.mostCauses = options_.mostCauses;
+  // A fit takes a dozen replays of each recording on the feet.
+  search.width = 1;
+  search.proposals = 3;
+  search.fitSteps = 2;
+  search.lastSteps = 4;
+  search.lastLeaveOut = LeaveOut::newtonStep;
+  search.mostCauses -= std::min(search.mostCauses, first.best().causes().size());
+  search.progress = [&](double share) { report(setsOnFeet.c_str(), share); };
+  stage.found = parts.search(setsOnFeet, stage.groups.count(), [&] {
+    const Replayer hung(coarse_ ? *coarse_ : first.replayer, first.groups, stage.replayer.base());
+    const RuledOut ruledOut(hung, possibleKinds(stage.groups, whole_.mechanism()),
+                            [&](double share) { report("what hung recordings rule out", share); });
+    ScreeningOptions left;
+    left.progress = [&](double share) { report("each other cause on the feet", share); };
+    left.startFor = [&](const Cause& start) { return ruledOut.startFor(start); };
+    const CandidateScreening screening(stage.replayer, sharesOf(stage.groups, stage.replayer.residuals({})),
+                                       left);
+    search.screening = &screening;
+    return searchSets(stage.replayer, search);
+  });
+  stage.probabilities = posterior(stage.found.sets);
+  stage.without = chosenWithoutEach(stage.found.sets, stage.groups.count());
+}
+
+Explanation StagedSearch::causes() const {
+  Explanation all;
+  for (const auto& stage : stages_)
+    all.insert(all.end(), stage->best().causes().begin(), stage->best().causes().end());
+  return all;
+}
+
+std::vector<FoundWithout> StagedSearch::withoutEach() const {
+  if (!twoStages_) return stages_.front()->without;
+  const SearchStage &first = *stages_.front(), &second = *stages_.back();
+  const Groups& all = whole_.groups();
+  std::vector<FoundWithout> found(all.count());
+  for (std::size_t t = 0, hung = 0; t < all.trials().size(); ++t) {
+    const bool fixed = !all.trials()[t].freeBase;
+    Explanation& causes = found[all.groupOf(t, 0)].causes;
+    causes = first.best().causes();
+    // Of one recording that is cut into stretches nothing is known without it.
+    if (fixed)
+      causes =
+          first.groups.stretchesOfOne() ? Explanation() : first.without[first.groups.groupOf(hung, 0)].causes;
+    hung += fixed ? 1 : 0;
+    const Explanation& more = second.without[second.groups.groupOf(t, 0)].causes;
+    causes.insert(causes.end(), more.begin(), more.end());
+  }
+  return found;
+}
+
+}  // namespace plumbline::gap
