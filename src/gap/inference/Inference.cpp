@@ -28,28 +28,35 @@ double positionsLeft(const Replayer& replayer, const Explanation& causes) {
   return n > 0 ? std::sqrt(sum / n) : 0;
 }
 
-/// The discrepancy's amplitude over the noise, in the signal where it is largest: root of the mean over the
-/// signal's cells.
+/// The discrepancy's amplitude over the noise, in the signal where that is largest beside what is no gap.
 struct Worst {
   double size = 0;
   std::string signal;
+  double mostExplained = leastUnexplained;
+
+  double share() const { return size / mostExplained; }
 };
+
+/// Of a signal hung up or on the feet: root of the mean over its cells.
 Worst worstOf(const Replayer& replayer, const Explanation& causes) {
   const Residuals residuals = replayer.residuals(causes);
   const Groups& groups = replayer.groups();
-  std::map<std::string, std::pair<double, double>> sums;
+  std::map<std::pair<std::string, bool>, std::pair<double, double>> sums;
   for (const Cell& cell : groups.cells()) {
     const std::vector<double> values = residualsOf(cell, residuals);
     if (values.empty()) continue;
+    const Trial& trial = groups.trials()[cell.trial];
     const double over = likeliestScale(values, cell.noise) / cell.noise;
-    auto& [sum, n] = sums[groups.trials()[cell.trial].signals[cell.signal].name];
+    auto& [sum, n] = sums[{trial.signals[cell.signal].name, trial.freeBase}];
     sum += over * over - 1;
     ++n;
   }
   Worst worst;
-  for (const auto& [name, of] : sums)
-    if (const double size = std::sqrt(std::max(0.0, of.first / of.second)); size > worst.size)
-      worst = {size, name};
+  for (const auto& [of, sum] : sums) {
+    const Worst here{std::sqrt(std::max(0.0, sum.first / sum.second)), of.first,
+                     of.second ? leastUnexplainedOnFeet : leastUnexplained};
+    if (here.share() > worst.share()) worst = here;
+  }
   return worst;
 }
 
@@ -131,10 +138,9 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const Worst repeats = worstOfRepeats(groups);
   result.repeatsDiffer = repeats.size;
   result.repeatsSignal = repeats.signal;
-  const double beyond = causes.empty() ? std::max(after.size, repeats.size) : after.size;
-  diagnosis.verdict = beyond > leastUnexplained ? Verdict::unknown
-                      : causes.empty()          ? Verdict::none
-                                                : Verdict::effect;
+  result.mostExplained = after.mostExplained;
+  const double beyond = causes.empty() ? std::max(after.share(), repeats.share()) : after.share();
+  diagnosis.verdict = beyond > 1 ? Verdict::unknown : causes.empty() ? Verdict::none : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + beyond * beyond);
   for (const FoundWithout& of : without) result.foundWithout.push_back(of.causes);
   // If the causes explain everything, their values are right.

@@ -47,6 +47,19 @@ TEST(Inference, whereRepeatsDifferTheVerdictIsNotNone) {
   EXPECT_GT(found.repeatsDiffer, 5);
 }
 
+TEST(Inference, saysWhatIsLeftHungUpAndOnTheFeet) {
+  Inference found;
+  found.diagnosis.verdict = Verdict::effect;
+  found.diagnosis.findings.emplace_back().cause = causeOfArm("coulomb_friction", "elbow", 0.15);
+  found.diagnosis.findings[0].probability = 0.98;
+  const std::string cause =
+      "Missing from the model: coulomb_friction at elbow = 0.15 N m (98 %); what is left is within ";
+  EXPECT_EQ(found.sentence().find(cause + "the noise. "), 0U) << found.sentence();
+  found.mostExplained = leastUnexplainedOnFeet;
+  found.diagnosis.worstAfter = 2;
+  EXPECT_EQ(found.sentence().find(cause + "what engines differ by on the feet. "), 0U) << found.sentence();
+}
+
 TEST(Inference, saysWhatChangesFromRunToRun) {
   Inference found;
   found.diagnosis.verdict = Verdict::unknown;
