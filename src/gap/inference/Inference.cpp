@@ -11,6 +11,7 @@
 #include "gap/inference/StageFindings.h"
 #include "gap/inference/StagedSearch.h"
 #include "gap/inference/StoredParts.h"
+#include "gap/inference/Unexplained.h"
 
 namespace plumbline::gap {
 
@@ -28,39 +29,7 @@ double positionsLeft(const Replayer& replayer, const Explanation& causes) {
   return n > 0 ? std::sqrt(sum / n) : 0;
 }
 
-/// The discrepancy's amplitude over the noise, in the signal where that is largest beside what is no gap.
-struct Worst {
-  double size = 0;
-  std::string signal;
-  double mostExplained = leastUnexplained;
-
-  double share() const { return size / mostExplained; }
-};
-
-/// Of a signal hung up or on the feet: root of the mean over its cells.
-Worst worstOf(const Replayer& replayer, const Explanation& causes) {
-  const Residuals residuals = replayer.residuals(causes);
-  const Groups& groups = replayer.groups();
-  std::map<std::pair<std::string, bool>, std::pair<double, double>> sums;
-  for (const Cell& cell : groups.cells()) {
-    const std::vector<double> values = residualsOf(cell, residuals);
-    if (values.empty()) continue;
-    const Trial& trial = groups.trials()[cell.trial];
-    const double over = likeliestScale(values, cell.noise) / cell.noise;
-    auto& [sum, n] = sums[{trial.signals[cell.signal].name, trial.freeBase}];
-    sum += over * over - 1;
-    ++n;
-  }
-  Worst worst;
-  for (const auto& [of, sum] : sums) {
-    const Worst here{std::sqrt(std::max(0.0, sum.first / sum.second)), of.first,
-                     of.second ? leastUnexplainedOnFeet : leastUnexplained};
-    if (here.share() > worst.share()) worst = here;
-  }
-  return worst;
-}
-
-/// The difference between repeats, in the same terms.
+/// The difference between repeats, in the terms of worstOf.
 Worst worstOfRepeats(const Groups& groups) {
   Worst worst;
   for (std::size_t t = 0; t < groups.trials().size(); ++t)

@@ -7,16 +7,12 @@
 #include "gap/diagnosis/Noise.h"
 #include "gap/inference/Claim.h"
 #include "gap/inference/HoldOut.h"
+#include "gap/inference/Unexplained.h"
 #include "gap/replay/Trial.h"
 
 namespace plumbline::gap {
 
 class InferenceMemory;
-
-/// What is left beyond the noise, over the noise, from which on the library lacks something. On the feet
-/// engines differ in how soles touch and in what couples joints: with all causes found, up to 2.1 was left
-/// there (doc/results/gap-diary.md, "First hung up, then on the feet").
-inline constexpr double leastUnexplained = 1, leastUnexplainedOnFeet = 2.5;
 
 struct InferenceOptions {
   int jobs = 1;

@@ -8,6 +8,7 @@
 #include "gap/inference/Posterior.h"
 #include "gap/inference/RuledOut.h"
 #include "gap/inference/SetSearch.h"
+#include "gap/inference/Unexplained.h"
 
 namespace plumbline::gap {
 
@@ -75,7 +76,16 @@ void StagedSearch::run(StoredParts& parts) {
   if (!twoStages_) return;
   stages_.push_back(std::make_unique<SearchStage>(whole_, whole_.groups().withFixedBaseAsOne(),
                                                   stages_.front()->best().causes()));
-  searchKindsLeft(*stages_.back(), parts);
+  SearchStage& second = *stages_.back();
+  if (worstOf(second.replayer, {}).share() > 1) {
+    searchKindsLeft(second, parts);
+  } else {
+    const Shares shares = sharesOf(second.groups, second.replayer.residuals({}));
+    const std::size_t kinds = possibleKinds(second.groups, whole_.mechanism()).size();
+    second.found = {{score(second.replayer, shares, {}, kinds, 0)}, {}, kinds};
+  }
+  second.probabilities = posterior(second.found.sets);
+  second.without = chosenWithoutEach(second.found.sets, second.groups.count());
 }
 
 void StagedSearch::searchAllKinds(SearchStage& stage, StoredParts& parts) {
@@ -120,6 +130,7 @@ void StagedSearch::searchKindsLeft(SearchStage& stage, StoredParts& parts) {
   search.lastSteps = 4;
   search.lastLeaveOut = LeaveOut::newtonStep;
   search.mostCauses -= std::min(search.mostCauses, first.best().causes().size());
+  search.mostCauses = std::min(search.mostCauses, mostSetBySet);
   search.progress = [&](double share) { report(setsOnFeet.c_str(), share); };
   stage.found = parts.search(setsOnFeet, stage.groups.count(), [&] {
     const Replayer hung(coarse_ ? *coarse_ : first.replayer, first.groups, stage.replayer.base());
@@ -133,8 +144,6 @@ void StagedSearch::searchKindsLeft(SearchStage& stage, StoredParts& parts) {
     search.screening = &screening;
     return searchSets(stage.replayer, search);
   });
-  stage.probabilities = posterior(stage.found.sets);
-  stage.without = chosenWithoutEach(stage.found.sets, stage.groups.count());
 }
 
 Explanation StagedSearch::causes() const {
