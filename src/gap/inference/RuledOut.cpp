@@ -10,7 +10,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr double weakest = 0.02;  // of a start in proportion to which it changes
+constexpr int mostHalved = 5;  // times, a start in proportion to which the replay changes
 
 double strengthOf(const Cause& cause) { return cause.effect->strengthOf(cause.value); }
 
@@ -77,8 +77,10 @@ std::optional<Cause> RuledOut::weakerThan(const Cause& start) const {
     return gain;
   };
   double best = price_ / 2, bestShare = 0;
-  for (double share = 0.5; share >= weakest; share /= 2)
+  for (int halved = 1; halved <= mostHalved; ++halved) {
+    const double share = std::ldexp(1, -halved);
     if (const double gain = gainOf(share); gain > best) best = gain, bestShare = share;
+  }
   if (bestShare == 0) return std::nullopt;
   return withStrength(replayer_.mechanism(), start, bestShare * strengthOf(start));
 }

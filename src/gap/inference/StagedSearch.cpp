@@ -77,7 +77,7 @@ void StagedSearch::run(StoredParts& parts) {
   stages_.push_back(std::make_unique<SearchStage>(whole_, whole_.groups().withFixedBaseAsOne(),
                                                   stages_.front()->best().causes()));
   SearchStage& second = *stages_.back();
-  if (worstOf(second.replayer, {}).share() > 1) {
+  if (worstOf(second.replayer, {}, leastSearchedOnFeet).share() > 1) {
     searchKindsLeft(second, parts);
   } else {
     const Shares shares = sharesOf(second.groups, second.replayer.residuals({}));

@@ -10,7 +10,7 @@
 
 namespace plumbline::gap {
 
-Worst worstOf(const Replayer& replayer, const Explanation& causes) {
+Worst worstOf(const Replayer& replayer, const Explanation& causes, double onFeet) {
   const Residuals residuals = replayer.residuals(causes);
   const Groups& groups = replayer.groups();
   std::map<std::pair<std::string, bool>, std::pair<double, double>> sums;
@@ -26,7 +26,7 @@ Worst worstOf(const Replayer& replayer, const Explanation& causes) {
   Worst worst;
   for (const auto& [of, sum] : sums) {
     const Worst here{std::sqrt(std::max(0.0, sum.first / sum.second)), of.first,
-                     of.second ? leastUnexplainedOnFeet : leastUnexplained};
+                     of.second ? onFeet : leastUnexplained};
     if (here.share() > worst.share()) worst = here;
   }
   return worst;

@@ -15,7 +15,8 @@ struct Triple {
   double x = 0, y = 0, z = 0;
 
   Triple() = default;
-  PLUMBLINE_TRIPLE Triple(double x_, double y_, double z_) : x(x_), y(y_), z(z_) {}
+  PLUMBLINE_TRIPLE Triple(double first, double second, double third) : x(first), y(second), z(third) {}
+  // NOLINTBEGIN(modernize-use-equals-default): copied number by number
   PLUMBLINE_TRIPLE Triple(const Triple& a) : x(a.x), y(a.y), z(a.z) {}
   PLUMBLINE_TRIPLE Triple& operator=(const Triple& a) {
     x = a.x;
@@ -23,6 +24,7 @@ struct Triple {
     z = a.z;
     return *this;
   }
+  // NOLINTEND(modernize-use-equals-default)
 };
 
 PLUMBLINE_TRIPLE Triple tripleOf(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
