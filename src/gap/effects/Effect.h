@@ -111,6 +111,8 @@ struct Effect {
   PerJointPart perJointFit = {};  ///< only for effects of joints
   TakeOut planting = {};
 
+  /// A small change of the value can be another event: derivatives do not show where the density rises.
+  bool isRough() const { return sticks || setsIn; }
   int numVariants() const { return variants.empty() ? 1 : static_cast<int>(variants.size()); }
   double scaleAt(const Mechanism& mechanism, const Place& place) const {
     if (!scale) return 1;

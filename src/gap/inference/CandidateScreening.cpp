@@ -231,11 +231,12 @@ CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const 
   return guessed;
 }
 
-/// The better of a guess and, where feet slip and land, of the start as it was replayed: a part of it would
-/// change something else there.
+/// The better of a guess and, where feet slip and land or an effect sets in, of the start as it was replayed:
+/// a part of it would change something else.
 CandidateScreening::Guessed CandidateScreening::rate(const Start& start, const Left& left) const {
   const Guessed guessed = guess(start, left);
-  if (std::ranges::none_of(start.changes, [&](const Change& change) { return onFeet_[change.trial]; }))
+  if (!start.cause.effect->setsIn &&
+      std::ranges::none_of(start.changes, [&](const Change& change) { return onFeet_[change.trial]; }))
     return guessed;
   const double gain = gainOf(start, left, 1);
   return gain > guessed.gain ? Guessed{gain, gain, 1} : guessed;
@@ -306,7 +307,7 @@ void CandidateScreening::replayFurtherStrengths(const Replayer& replayer, const 
                                                 const Shares& shares) {
   const Left left = leftOf(replayer.groups(), nominal, shares);
   const std::vector<Rated> best =
-      bestOfKinds(left, [](const Start& start) { return start.cause.effect->sticks; });
+      bestOfKinds(left, [](const Start& start) { return start.cause.effect->isRough(); });
   std::vector<std::vector<Start>> further(starts_.size());  // by the start that they began at
   for (const auto& [from, gain] : best)
     for (const double way : {std::log(2.0), -std::log(2.0)}) {

@@ -104,12 +104,13 @@ private:
     }
   }
 
-  /// Where a joint sticks and slips, the density is rough and derivatives do not show where it rises. So
-  /// strengths of such causes are tried on both sides, closer each time, until one is likelier.
+  /// Where a joint sticks and slips, or a motor falls short from a moment on, the density is rough and
+  /// derivatives do not show where it rises. So strengths of such causes are tried on both sides, closer each
+  /// time, until one is likelier.
   bool sweep(std::size_t strides) {
     for (const double way : std::span(sweepStrides).first(strides))
       for (std::size_t i = 0; i < fitted_.causes.size(); ++i)
-        if (fitted_.causes[i].effect->sticks && (stride(i, way) || stride(i, -way))) return true;
+        if (fitted_.causes[i].effect->isRough() && (stride(i, way) || stride(i, -way))) return true;
     return false;
   }
 

@@ -8,6 +8,12 @@
 
 namespace plumbline::gap {
 
+namespace {
+
+constexpr double farBeyond = 3;  // times the noise: one of 400 normal values
+
+}  // namespace
+
 MostToGain::MostToGain(const Replayer& replayer, const Shares& shares, std::size_t kinds)
     : replayer_(replayer),
       price_(priceOf(1, kinds)),
@@ -17,10 +23,13 @@ MostToGain::MostToGain(const Replayer& replayer, const Shares& shares, std::size
   for (std::size_t c = 0; c < most_.size(); ++c) {
     const Cell& cell = replayer.groups().cells()[c];
     const Split now = split(residualsOf(cell, nominal));
-    if (std::abs(now.mean) <= cell.noise && likeliestScale(now.about, cell.noise) <= cell.noise) continue;
+    // If all in all no more than the noise is left, only what is far beyond it is a gap.
+    const bool atNoise =
+        std::abs(now.mean) <= cell.noise && likeliestScale(now.about, cell.noise) <= cell.noise;
+    const double most = atNoise ? farBeyond * cell.noise : 0;
     Split nothing = now;
-    for (double& of : nothing.about) of *= 0;  // what was not measured stays so
-    nothing.mean = 0;
+    for (double& of : nothing.about) of = std::isfinite(of) ? std::clamp(of, -most, most) : of;
+    if (!atNoise) nothing.mean = 0;
     most_[c] = std::max(
         0.0, stretchDensity(nothing, cell.noise, shares[c]) - stretchDensity(now, cell.noise, shares[c]));
   }
