@@ -1,0 +1,52 @@
+#include "gap/inference/MostToGain.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "../LegOnItsFoot.h"
+#include "../ThreeRecordings.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+std::vector<char> trialsWorthLooking(const std::vector<Trial>& trials, const Mechanism& robot,
+                                     const Cause& cause) {
+  const Groups groups(trials);
+  const Replayer replayer(robot, groups, 1);
+  return MostToGain(replayer, sharesOf(groups, replayer.residuals({})), 100).trialsFor(cause);
+}
+
+}  // namespace
+
+TEST(MostToGain, nothingWhereNothingIsLeft) {
+  const Cause cause = causeOfArm("coulomb_friction", "elbow", 0.1);
+  EXPECT_EQ(trialsWorthLooking(recordings({}), twoJointArm(), cause), std::vector<char>(3, 0));
+}
+
+TEST(MostToGain, aMomentFarBeyondTheNoise) {
+  // A fifth of a second, forty times the noise: for a scale with heavy tails a few outliers.
+  std::vector<Trial> trials = recordings({});
+  for (std::size_t k = 200; k < 220; ++k) trials[1].signals[1].values[k] += 0.02;
+  const Cause cause = causeOfArm("thermal_derating", "elbow", 0.02);
+  EXPECT_EQ(trialsWorthLooking(trials, twoJointArm(), cause), std::vector<char>(3, 1));
+}
+
+TEST(MostToGain, onTheFeetTheRecordingInWhichTheChainIsOffMost) {
+  const Mechanism leg = legOnItsFoot();
+  std::vector<Trial> trials = legRecordings({});
+  for (std::size_t k = 0; k < trials[4].cycles(); ++k) {
+    const double wave = std::sin(0.1 * static_cast<double>(k));
+    trials[3].signals[1].values[k] += 0.005 * wave;
+    trials[4].signals[1].values[k] += 0.02 * wave;
+  }
+  const std::vector<char> atKnee =
+      trialsWorthLooking(trials, leg, causeOf(leg, "coulomb_friction", "knee", 0.1));
+  EXPECT_EQ(atKnee, (std::vector<char>{0, 0, 0, 0, 1}));
+  const Cause slope{findEffect("ground_slope"), findPlace(*findEffect("ground_slope"), leg, "ground", "y"),
+                    0.02, 0};
+  EXPECT_EQ(trialsWorthLooking(trials, leg, slope), (std::vector<char>{0, 0, 0, 1, 1}));
+}
+
+}  // namespace plumbline::gap
