@@ -119,9 +119,8 @@ TEST_F(InferenceResumeTest, withOneRecordingThatIsCutIntoStretches) {
 TEST_F(InferenceResumeTest, withRecordingsHungUpAndOnTheFoot) {
   // Of the three hung up: with all and without each. Then one more for the foot.
   robot = legOnItsFoot();
-  const Effect& slope = *findEffect("ground_slope");
-  const Cause ground{&slope, findPlace(slope, robot, "ground", "y"), 0.03, 0};
-  expectTheSameAfterKills(legRecordings({causeOf(robot, "coulomb_friction", "knee", 0.15), ground}, 2), 5);
+  expectTheSameAfterKills(
+      legRecordings({causeOf(robot, "coulomb_friction", "knee", 0.15), groundSlope(0.03)}, 2), 5);
 }
 
 }  // namespace

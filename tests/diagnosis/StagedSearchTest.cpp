@@ -7,16 +7,10 @@
 
 namespace plumbline::gap {
 
-namespace {
-
-Place groundAboutY() { return findPlace(*findEffect("ground_slope"), legOnItsFoot(), "ground", "y"); }
-
-}  // namespace
-
 TEST(StagedSearch, hungRecordingsSayWhatTheyCanAndTheFeetTheRest) {
   const Mechanism leg = legOnItsFoot();
   const Cause friction = causeOf(leg, "coulomb_friction", "knee", 0.15);
-  const Cause slope{findEffect("ground_slope"), groundAboutY(), 0.03, 0};
+  const Cause slope = groundSlope(0.03);
   const Inference found = infer(leg, legRecordings({friction, slope}), {});
   ASSERT_EQ(found.diagnosis.findings.size(), 2U);
   for (const Finding& finding : found.diagnosis.findings) {

@@ -20,6 +20,12 @@ inline Mechanism legOnItsFoot() {
   return leg;
 }
 
+/// The ground below the leg is inclined about y [rad].
+inline Cause groundSlope(double angle) {
+  const Effect& slope = *findEffect("ground_slope");
+  return {&slope, findPlace(slope, legOnItsFoot(), "ground", "y"), angle, 0};
+}
+
 /// armTrial() of small motions, hung up or on the foot.
 inline Trial legTrial(bool floatingBase, double seconds = 6) {
   Trial trial = armTrial(legOnItsFoot(), seconds, floatingBase ? 0.05 : 0.4);

@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::size_t mostGuessed = 24;  // kinds whose gain is worked out and not only guessed
 constexpr std::size_t mostClimbed = 36;  // kinds of which more is replayed
-constexpr std::size_t slips = 4;         // times as many samples where feet slip and land
+constexpr std::size_t finerOnFeet = 4;   // times as many samples, because feet slip and land
 constexpr double mostFactor = 4;         // of a start, up and down, that its sensitivity is trusted for
 constexpr double mostOfSticking = 1.4;   // the same, where a joint sticks
 constexpr double leastOfLinear = 0.02;   // of the start of an effect whose change is in proportion to it
@@ -72,7 +72,7 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
   // If leaving others out leaves one recording only, it is cut into stretches.
   const std::size_t stretches = groups.count() <= 2 || groups.stretchesOfOne() ? 4 : 1;
   for (const Trial& trial : groups.trials()) {
-    const std::size_t enough = (trial.freeBase ? slips : stretches) * enoughSamples;
+    const std::size_t enough = (trial.freeBase ? finerOnFeet : stretches) * enoughSamples;
     every_.push_back(std::max<std::size_t>(1, trial.cycles() / enough));
   }
   const std::vector<Cause> possible = possibleKinds(groups, robot);
@@ -91,12 +91,12 @@ CandidateScreening::CandidateScreening(const Replayer& replayer, const Shares& s
   }
   // On the feet long steps slip at other moments.
   const bool anyOnFeet = std::ranges::find(onFeet_, 1) != onFeet_.end();
-  const Replayer coarse(robot, groups, replayer.jobs(), anyOnFeet ? ReplayOptions() : withLongSteps(),
-                        replayer.base());
-  const Residuals left = coarse.residuals({}, looked_);
-  replayStarts(coarse, left, worth, options);
-  replayFurtherStrengths(coarse, left, shares);
-  replayElsewhere(coarse, left, shares);
+  const Replayer quick(robot, groups, replayer.jobs(), anyOnFeet ? ReplayOptions() : withLongSteps(),
+                       replayer.base());
+  const Residuals left = quick.residuals({}, looked_);
+  replayStarts(quick, left, worth, options);
+  replayFurtherStrengths(quick, left, shares);
+  replayElsewhere(quick, left, shares);
 }
 
 /// Difference of the residuals of two replays, thinned, in the signals that are used; none where they are
@@ -130,12 +130,8 @@ void CandidateScreening::replayStarts(const Replayer& replayer, const Residuals&
   for (std::size_t i = 0; i < worth.size(); ++i) {
     if (options.progress) options.progress(static_cast<double>(i) / static_cast<double>(worth.size()));
     const auto& [kind, trials] = worth[i];
-    const Effect& effect = *kind.effect;
     const std::size_t firstOfKind = starts_.size();
-    for (const double value : effect.starts) {
-      Cause cause = kind;
-      cause.value = value * effect.scaleAt(robot, cause.place);
-      cause = withLogStrengths(robot, {cause}, logStrengths({cause})).front();
+    for (Cause cause : startsOf(robot, kind)) {
       if (options.startFor) {
         const std::optional<Cause> other = options.startFor(cause);
         if (!other) continue;

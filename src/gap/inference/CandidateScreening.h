@@ -25,8 +25,8 @@ struct ScreeningOptions {
 /// other set, in any of the groups: the projection of the residual on the sensitivity.
 class CandidateScreening {
 public:
-  /// Kinds whose chains have nothing to gain (scales at their noise, under these shares) are not replayed;
-  /// of long recordings only some windows are.
+  /// Kinds whose chains have nothing to gain (MostToGain, under these shares) are not replayed; of long
+  /// recordings only some windows are.
   CandidateScreening(const Replayer& replayer, const Shares& shares, const ScreeningOptions& options = {});
 
   /// How many kinds are possible at all on this robot with these recordings.

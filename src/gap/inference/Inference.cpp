@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 #include "gap/inference/JointValues.h"
 #include "gap/inference/LeaveOutBias.h"
-#include "gap/inference/Likelihood.h"
 #include "gap/inference/StageFindings.h"
 #include "gap/inference/StagedSearch.h"
 #include "gap/inference/StoredParts.h"
@@ -84,16 +82,11 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   }
   Diagnosis& diagnosis = result.diagnosis;
   const double nominal = positionsLeft(replayer, {}), all = positionsLeft(replayer, causes);
-  const auto closed = [&](Finding& finding) {
-    const auto at = std::ranges::find(causes, finding.cause);
-    finding.closedAlone = 1 - positionsLeft(replayer, {finding.cause}) / nominal;
-    finding.closedLast =
-        (positionsLeft(replayer, gap::without(causes, static_cast<std::size_t>(at - causes.begin()))) - all) /
-        nominal;
-  };
   for (const auto& stage : search.stages()) {
     for (Finding& finding : findingsOf(*stage)) {
-      closed(finding);
+      const std::size_t i = diagnosis.findings.size();  // causes are in the same order
+      finding.closedAlone = 1 - positionsLeft(replayer, {finding.cause}) / nominal;
+      finding.closedLast = (positionsLeft(replayer, gap::without(causes, i)) - all) / nominal;
       diagnosis.findings.push_back(std::move(finding));
     }
     for (std::string& line : supportedByOne(*stage)) result.onlyIn.push_back(std::move(line));
@@ -107,7 +100,7 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   const Worst repeats = worstOfRepeats(groups);
   result.repeatsDiffer = repeats.size;
   result.repeatsSignal = repeats.signal;
-  result.mostExplained = after.mostExplained;
+  result.bound = after.bound;
   const double beyond = causes.empty() ? std::max(after.share(), repeats.share()) : after.share();
   diagnosis.verdict = beyond > 1 ? Verdict::unknown : causes.empty() ? Verdict::none : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + beyond * beyond);

@@ -38,7 +38,7 @@ struct Inference {
   /// is largest.
   double repeatsDiffer = 0;
   std::string repeatsSignal;
-  double mostExplained = leastUnexplained;  ///< of Diagnosis::worstAfter, that is no gap
+  double bound = leastUnexplained;  ///< of Diagnosis::worstAfter: up to it nothing is unexplained
   /// Asked for, those that were in memory among them: of one chain of joints in one recording each.
   std::size_t replays = 0;
 

@@ -23,7 +23,7 @@ std::string Inference::runToRun() const {
 }
 
 std::string Inference::sentence() const {
-  if (diagnosis.verdict == Verdict::unknown && diagnosis.worstAfter <= mostExplained)
+  if (diagnosis.verdict == Verdict::unknown && diagnosis.worstAfter <= bound)
     return "The nominal model explains these runs only as far as repeats of one motion agree, and those " +
            howRepeatsDiffer(*this) + ".";
   char text[256];
@@ -60,8 +60,7 @@ std::string Inference::sentence() const {
             "known how far another recording's gap closes.";
   if (diagnosis.verdict == Verdict::effect)
     return "Missing from the model: " + causes + "; what is left is within " +
-           (mostExplained > leastUnexplained ? "what engines differ by on the feet. " : "the noise. ") +
-           claimed;
+           (bound > leastUnexplained ? "what engines differ by on the feet. " : "the noise. ") + claimed;
   std::snprintf(text, sizeof text,
                 "More is missing than the library's effects account for: %.1f times the noise remain in %s.",
                 diagnosis.worstAfter, diagnosis.worstSignalAfter.c_str());

@@ -121,9 +121,10 @@ Replayer::Played Replayer::play(std::size_t t, std::size_t chain, const Explanat
   const Trial& trial = data_.trials()[t];
   const bool whole = trial.freeBase, body = !whole && chain == chainJoints_.size();
   ReplayOptions options = accuracy_;
-  if (!whole) options.joints = chainJoints_[body ? 0 : chain];
-  // Shorter steps would change a whole robot on its feet, whatever gear they are made for.
-  if (whole) options.gearStep = options.step;
+  if (whole)
+    options.gearStep = options.step;  // shorter steps would change all of a robot on its feet
+  else
+    options.joints = chainJoints_[body ? 0 : chain];
   const Plant plant = plantOf(trial, causes);
   const Prediction prediction = replay(plant, trial, options);
   auto played = std::make_shared<std::vector<std::pair<std::size_t, Series>>>();

@@ -15,13 +15,9 @@ constexpr int mostHalved = 5;  // times, a start in proportion to which the repl
 double strengthOf(const Cause& cause) { return cause.effect->strengthOf(cause.value); }
 
 /// The starts of a kind whose strengths have one sign, the weakest first.
-std::vector<Cause> startsOf(const Mechanism& robot, const Cause& kind, double sign) {
-  std::vector<Cause> starts;
-  for (const double value : kind.effect->starts) {
-    Cause start = kind;
-    start.value = value * kind.effect->scaleAt(robot, kind.place);
-    if (sign * strengthOf(start) > 0) starts.push_back(start);
-  }
+std::vector<Cause> startsOfSign(const Mechanism& robot, const Cause& kind, double sign) {
+  std::vector<Cause> starts = startsOf(robot, kind);
+  std::erase_if(starts, [&](const Cause& start) { return sign * strengthOf(start) <= 0; });
   std::ranges::stable_sort(starts, {}, [](const Cause& start) { return std::abs(strengthOf(start)); });
   return starts;
 }
@@ -37,16 +33,11 @@ RuledOut::RuledOut(const Replayer& replayer, const std::vector<Cause>& kinds,
       price_(priceOf(1, kinds.size())) {
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     if (progress) progress(static_cast<double>(i) / static_cast<double>(kinds.size()));
-    bool any = false;
     for (const double sign : {1.0, -1.0}) {
-      const std::vector<Cause> starts = startsOf(replayer_.mechanism(), kinds[i], sign);
+      const std::vector<Cause> starts = startsOfSign(replayer_.mechanism(), kinds[i], sign);
       const auto first = std::ranges::find_if(starts, [&](const Cause& start) { return fallsBelow(start); });
-      any = any || first != starts.begin();
-      if (first == starts.end()) continue;
-      limits_.push_back({*first, weakerThan(*first)});
-      any = any || limits_.back().weaker;
+      if (first != starts.end()) limits_.push_back({*first, weakerThan(*first)});
     }
-    if (!any) ++withoutStart_;
   }
 }
 

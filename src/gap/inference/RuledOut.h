@@ -19,8 +19,6 @@ public:
 
   /// What to look at instead of a start: itself, if nothing speaks against it; a weaker one; or none.
   std::optional<Cause> startFor(const Cause& start) const;
-  /// How many kinds have no start left.
-  std::size_t numWithoutStart() const { return withoutStart_; }
 
 private:
   /// Of one form of a cause and one sign of its strength.
@@ -37,7 +35,6 @@ private:
   std::vector<double> nominal_;  ///< log density per group
   double price_;
   std::vector<Limit> limits_;
-  std::size_t withoutStart_ = 0;
 };
 
 }  // namespace plumbline::gap

@@ -71,6 +71,11 @@ std::size_t StagedSearch::numAsked() const {
          (coarse_ ? coarse_->numAsked() : 0) + (windows_ ? windows_->numAsked() : 0);
 }
 
+std::size_t StagedSearch::mostCauses() const {
+  if (options_.mostCauses > 0) return options_.mostCauses;
+  return few_ ? SetSearchOptions().mostCauses : mostOfManyKinds;
+}
+
 void StagedSearch::run(StoredParts& parts) {
   searchAllKinds(*stages_.front(), parts);
   if (!twoStages_) return;
@@ -106,9 +111,8 @@ void StagedSearch::searchAllKinds(SearchStage& stage, StoredParts& parts) {
     }
     return parts.search(name, count, run);
   };
-  if (!few_) search.mostCauses = mostOfManyKinds;
-  if (options_.mostCauses > 0) search.mostCauses = options_.mostCauses;
-  search.progress = [&](double share) { report("sets of causes", share); };
+  search.mostCauses = mostCauses();
+  search.progress = [&](double share) { report(setsOfCauses.c_str(), share); };
   stage.found = searched(setsOfCauses, stage.groups.count(), [&] { return searchForSets(tools, search); });
   stage.probabilities = posterior(stage.found.sets);
   search.expectMany = coarse_ && stage.best().causes().size() > mostSetBySet;
@@ -121,16 +125,14 @@ void StagedSearch::searchAllKinds(SearchStage& stage, StoredParts& parts) {
 void StagedSearch::searchKindsLeft(SearchStage& stage, StoredParts& parts) {
   const SearchStage& first = *stages_.front();
   SetSearchOptions search;
-  if (!few_) search.mostCauses = mostOfManyKinds;
-  if (options_.mostCauses > 0) search.mostCauses = options_.mostCauses;
+  search.mostCauses =
+      std::min(mostSetBySet, mostCauses() - std::min(mostCauses(), first.best().causes().size()));
   // A fit takes a dozen replays of each recording on the feet.
   search.width = 1;
   search.proposals = 3;
   search.fitSteps = 2;
   search.lastSteps = 4;
   search.lastLeaveOut = LeaveOut::newtonStep;
-  search.mostCauses -= std::min(search.mostCauses, first.best().causes().size());
-  search.mostCauses = std::min(search.mostCauses, mostSetBySet);
   search.progress = [&](double share) { report(setsOnFeet.c_str(), share); };
   stage.found = parts.search(setsOnFeet, stage.groups.count(), [&] {
     const Replayer hung(coarse_ ? *coarse_ : first.replayer, first.groups, stage.replayer.base());

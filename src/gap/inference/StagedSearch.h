@@ -50,6 +50,7 @@ public:
   std::size_t numAsked() const;
 
 private:
+  std::size_t mostCauses() const;  ///< in the answer
   void searchAllKinds(SearchStage& stage, StoredParts& parts);
   void searchKindsLeft(SearchStage& stage, StoredParts& parts);
   void report(const char* what, double share) const {

@@ -12,6 +12,16 @@ constexpr double minStrength = 2e-5;
 
 }  // namespace
 
+std::vector<Cause> startsOf(const Mechanism& robot, const Cause& kind) {
+  std::vector<Cause> starts;
+  for (const double value : kind.effect->starts) {
+    Cause start = kind;
+    start.value = value * kind.effect->scaleAt(robot, kind.place);
+    starts.push_back(withLogStrengths(robot, {start}, logStrengths({start})).front());
+  }
+  return starts;
+}
+
 double leastStart(const Mechanism& robot, const Cause& cause) {
   const double scale = cause.effect->scaleAt(robot, cause.place);
   double least = HUGE_VAL;

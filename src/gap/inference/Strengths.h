@@ -1,9 +1,13 @@
 #pragma once
 #include <Eigen/Core>
+#include <vector>
 
 #include "gap/diagnosis/Explanation.h"
 
 namespace plumbline::gap {
+
+/// The cause at each value that a search for its kind starts from, held within the effect's bounds.
+std::vector<Cause> startsOf(const Mechanism& robot, const Cause& kind);
 
 /// The least strength that a search for this kind of cause starts from.
 double leastStart(const Mechanism& robot, const Cause& cause);

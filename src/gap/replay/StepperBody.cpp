@@ -70,7 +70,7 @@ void Stepper::endBody(const std::vector<std::size_t>& signals,
     const std::vector<Vec3>& series = turning ? gyro_ : specificForce_;
     std::size_t at = 0;  // the sample at that time, or the first after it
     for (std::size_t k = 0; k < cycleTime_.size(); ++k) {
-      const double when = imuIsLate_ ? cycleTime_[k] - plant_.imu.delay : cycleTime_[k];
+      const double when = cycleTime_[k] - plant_.imu.delay;
       while (at + 1 < imuTime_.size() && imuTime_[at] < when - rounding) ++at;
       double value = series[at][signal.axis];
       // A speed changes on a line within a step, an acceleration is that of the step.

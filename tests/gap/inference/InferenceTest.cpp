@@ -55,7 +55,7 @@ TEST(Inference, saysWhatIsLeftHungUpAndOnTheFeet) {
   const std::string cause =
       "Missing from the model: coulomb_friction at elbow = 0.15 N m (98 %); what is left is within ";
   EXPECT_EQ(found.sentence().find(cause + "the noise. "), 0U) << found.sentence();
-  found.mostExplained = leastUnexplainedOnFeet;
+  found.bound = leastUnexplainedOnFeet;
   found.diagnosis.worstAfter = 2;
   EXPECT_EQ(found.sentence().find(cause + "what engines differ by on the feet. "), 0U) << found.sentence();
 }

@@ -44,9 +44,7 @@ TEST(MostToGain, onTheFeetTheRecordingInWhichTheChainIsOffMost) {
   const std::vector<char> atKnee =
       trialsWorthLooking(trials, leg, causeOf(leg, "coulomb_friction", "knee", 0.1));
   EXPECT_EQ(atKnee, (std::vector<char>{0, 0, 0, 0, 1}));
-  const Cause slope{findEffect("ground_slope"), findPlace(*findEffect("ground_slope"), leg, "ground", "y"),
-                    0.02, 0};
-  EXPECT_EQ(trialsWorthLooking(trials, leg, slope), (std::vector<char>{0, 0, 0, 1, 1}));
+  EXPECT_EQ(trialsWorthLooking(trials, leg, groundSlope(0.02)), (std::vector<char>{0, 0, 0, 1, 1}));
 }
 
 }  // namespace plumbline::gap

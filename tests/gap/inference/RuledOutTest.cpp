@@ -4,44 +4,51 @@
 
 #include "../LegOnItsFoot.h"
 #include "../ThreeRecordings.h"
-#include "gap/inference/PossibleKinds.h"
+#include "gap/inference/Strengths.h"
 
 namespace plumbline::gap {
 
+namespace {
+
+/// What recordings of the arm with these causes rule out of one kind.
+struct RuledOutOfArm {
+  RuledOutOfArm(const Explanation& causes, const Cause& kind)
+      : groups(recordings(causes)), replayer(arm, groups, 1), ruledOut(replayer, {kind}) {}
+
+  Mechanism arm = twoJointArm();
+  Groups groups;
+  Replayer replayer;
+  RuledOut ruledOut;
+};
+
+}  // namespace
+
 TEST(RuledOut, aStartThatWouldShowAndWhatIsStronger) {
-  const Mechanism arm = twoJointArm();
-  const Groups groups(recordings({}));
-  const Replayer replayer(arm, groups, 1);
   const Cause start = causeOfArm("coulomb_friction", "elbow", 0.1);
-  const RuledOut ruledOut(replayer, {start});
+  const RuledOutOfArm arm({}, start);
+  const RuledOut& ruledOut = arm.ruledOut;
   EXPECT_FALSE(ruledOut.startFor(start));
   EXPECT_FALSE(ruledOut.startFor(causeOfArm("coulomb_friction", "elbow", 0.4)));
   EXPECT_TRUE(ruledOut.startFor(causeOfArm("coulomb_friction", "elbow", 0.01)));
   EXPECT_TRUE(ruledOut.startFor(causeOfArm("coulomb_friction", "shoulder", 0.1)));
-  EXPECT_EQ(ruledOut.numWithoutStart(), 1U);
+  for (const Cause& each : startsOf(twoJointArm(), start)) EXPECT_FALSE(ruledOut.startFor(each));
 }
 
 TEST(RuledOut, eachSignForItself) {
   // A force that is there speaks against its opposite, not against itself.
-  const Mechanism arm = twoJointArm();
-  const Groups groups(recordings({causeOfArm("bias_force", "elbow", 0.3)}));
-  const Replayer replayer(arm, groups, 1);
-  const RuledOut ruledOut(replayer, {causeOfArm("bias_force", "elbow", 0.3)});
-  EXPECT_TRUE(ruledOut.startFor(causeOfArm("bias_force", "elbow", 0.3)));
-  EXPECT_FALSE(ruledOut.startFor(causeOfArm("bias_force", "elbow", -1)));
-  EXPECT_EQ(ruledOut.numWithoutStart(), 0U);
+  const Cause force = causeOfArm("bias_force", "elbow", 0.3);
+  const RuledOutOfArm arm({force}, force);
+  EXPECT_TRUE(arm.ruledOut.startFor(force));
+  EXPECT_FALSE(arm.ruledOut.startFor(causeOfArm("bias_force", "elbow", -1)));
 }
 
 TEST(RuledOut, aWeakerCauseThatWouldGainTakesTheStartsPlace) {
-  const Mechanism arm = twoJointArm();
-  const Groups groups(recordings({causeOfArm("bias_force", "elbow", 0.02)}));
-  const Replayer replayer(arm, groups, 1);
-  const RuledOut ruledOut(replayer, {causeOfArm("bias_force", "elbow", 0.1)});
-  const std::optional<Cause> other = ruledOut.startFor(causeOfArm("bias_force", "elbow", 1));
+  const Cause force = causeOfArm("bias_force", "elbow", 0.02);
+  const RuledOutOfArm arm({force}, force);
+  const std::optional<Cause> other = arm.ruledOut.startFor(causeOfArm("bias_force", "elbow", 1));
   ASSERT_TRUE(other);
   EXPECT_NEAR(other->value, 0.02, 0.01);
-  EXPECT_FALSE(ruledOut.startFor(causeOfArm("bias_force", "elbow", -1)));
-  EXPECT_EQ(ruledOut.numWithoutStart(), 0U);
+  EXPECT_FALSE(arm.ruledOut.startFor(causeOfArm("bias_force", "elbow", -1)));
 }
 
 TEST(RuledOut, notWhatTheRobotHasAlready) {
