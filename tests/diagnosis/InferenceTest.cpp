@@ -97,4 +97,25 @@ TEST(Inference, aGainIsSeparatedFromAFrictionByTheDuty) {
   EXPECT_GT(gain->probability, 0.9);
 }
 
+TEST(Inference, commandsThatWereLostAreFoundBesideAnotherCause) {
+  const Cause friction = causeOfArm("coulomb_friction", "elbow", 0.15);
+  std::vector<Trial> trials = recordedTwice(plantOf(twoJointArm(), {friction}), 5e-4, 0.1);
+  for (std::size_t t = 0; t < trials.size(); ++t) trials[t].recording = "run" + std::to_string(t);
+  trials.push_back(
+      recordedTwice(plantOf(twoJointArm(), {friction}), 5e-4, 0.1, armTrial(twoJointArm(), 6, 0.3))[1]);
+  trials.back().recording = "smaller";
+  const Inference found = infer(twoJointArm(), trials, {});
+  EXPECT_EQ(found.diagnosis.verdict, Verdict::effect);
+  ASSERT_EQ(found.diagnosis.findings.size(), 2U);
+  EXPECT_EQ(found.diagnosis.findings[1].cause.effect->id, "command_dropout");
+  EXPECT_NEAR(found.diagnosis.findings[1].cause.value, 0.1, 0.02);
+  EXPECT_GT(found.diagnosis.findings[1].probability, 0.99);
+  EXPECT_TRUE(found.diagnosis.findings[0].cause.sameKind(friction));
+  EXPECT_NEAR(found.diagnosis.findings[0].cause.value, 0.15, 0.005);
+  // A forecast knows the mean of what losses do alone.
+  ASSERT_EQ(found.leftOut.size(), 3U);
+  for (const RecordingLeft& left : found.leftOut) EXPECT_LT(left.closed(), 0.9) << left.folder;
+  EXPECT_NE(found.sentence().find(" No model knows which commands will be lost"), std::string::npos);
+}
+
 }  // namespace plumbline::gap

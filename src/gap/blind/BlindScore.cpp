@@ -11,6 +11,7 @@
 #include "gap/blind/Make.h"
 #include "gap/blind/ScoreJudge.h"
 #include "gap/effects/Effects.h"
+#include "math/WilsonInterval.h"
 
 namespace plumbline::gap {
 
@@ -59,13 +60,9 @@ std::string binName(std::size_t b) {
 Figure share(std::string id, std::string what, std::size_t hits, std::size_t count) {
   Figure figure{std::move(id), std::move(what), 0, 0, 1, count};
   if (count == 0) return figure;
-  constexpr double z = 1.959964;
-  const double n = static_cast<double>(count), p = static_cast<double>(hits) / n;
-  const double middle = (p + z * z / (2 * n)) / (1 + z * z / n);
-  const double half = z / (1 + z * z / n) * std::sqrt(p * (1 - p) / n + z * z / (4 * n * n));
-  figure.value = p;
-  figure.lower = hits == 0 ? 0 : middle - half;
-  figure.upper = hits == count ? 1 : middle + half;
+  const auto found = static_cast<double>(hits), of = static_cast<double>(count);
+  figure.value = found / of;
+  std::tie(figure.lower, figure.upper) = wilsonInterval(found, of);
   return figure;
 }
 

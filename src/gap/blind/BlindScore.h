@@ -62,7 +62,7 @@ BlindScore scoreBlind(const BlindSet& set, const std::vector<BlindAnswer>& answe
 std::string scoreTable(const BlindScore& score);
 std::string scoreJson(const BlindScore& score);
 
-/// Wilson's interval of a share, 95 % (Wilson, JASA 22, 1927).
+/// A share with its wilsonInterval.
 Figure share(std::string id, std::string what, std::size_t hits, std::size_t count);
 
 /// Calibration in ten bins of probability. Expected calibration error: over the bins, the mean distance of

@@ -21,8 +21,8 @@ public:
         add(evidence.noise(t, s)), add(evidence.weights(t, s));
   }
   void add(const ReplayOptions& options) {
-    // Of a replay each: joints, lostCycles.
-    const auto& [joints, step, gearStep, settle, restarts, lostCycles, acrossCycles] = options;
+    // Of a replay each: joints, lostCycles, asSent.
+    const auto& [joints, step, gearStep, settle, restarts, lostCycles, asSent, acrossCycles] = options;
     all(step, gearStep, settle, restarts, acrossCycles);
   }
   void add(const DiagnosisOptions& options) {

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "gap/diagnosis/Probability.h"
+#include "math/WilsonInterval.h"
 
 namespace plumbline::gap {
 
@@ -13,24 +14,16 @@ namespace {
 constexpr double rivalShare = 0.01;  // probability that is worth a word
 constexpr double z = 1.96;           // of 95 %
 
-/// Interval of a rate after `found` cases were counted (Wilson, "Probable inference, the law of
-/// succession, and statistical inference", J. American Statistical Association 22, 1927).
-Bounds rateInterval(double rate, double found) {
-  if (!(rate > 0) || !(found > 0)) return {0, 1};
-  const double n = found / rate, middle = (rate + z * z / (2 * n)) / (1 + z * z / n),
-               reach = z / (1 + z * z / n) * std::sqrt(rate * (1 - rate) / n + z * z / (4 * n * n));
-  return {std::max(0.0, middle - reach), std::min(1.0, middle + reach)};
-}
-
 /// Commands are lost by chance, so the rate differs from the share that was lost.
 void addChance(const Evaluator& fine, Finding& finding) {
   double found = 0;
   for (const auto& cycles : fine.lostCycles()) found += static_cast<double>(std::ranges::count(cycles, 1));
   const double rate = finding.cause.value;
-  const Bounds chance = rateInterval(rate, found);
-  finding.lower = std::max(0.0, rate - std::hypot(rate - finding.lower, rate - chance.lower));
+  // Of all cycles in which a loss would have shown.
+  const auto [lower, upper] = rate > 0 ? wilsonInterval(found, found / rate) : wilsonInterval(0, 0);
+  finding.lower = std::max(0.0, rate - std::hypot(rate - finding.lower, rate - lower));
   finding.upper =
-      std::min(finding.cause.effect->upper, rate + std::hypot(finding.upper - rate, chance.upper - rate));
+      std::min(finding.cause.effect->upper, rate + std::hypot(finding.upper - rate, upper - rate));
 }
 
 }  // namespace

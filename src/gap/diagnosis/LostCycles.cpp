@@ -119,22 +119,24 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
   LostCycles result;
   const std::size_t count = evidence.trials().size();
   result.cycles.resize(count);
-  std::vector<std::size_t> found(count, 0), visible(count, 0), onTime(count, 0);
+  result.foundIn.resize(count);
+  result.seenIn.resize(count);
+  std::vector<std::size_t> onTime(count, 0);
   parallel(count, jobs, [&](std::size_t t) {
     if (evidence.trials()[t].freeBase) return;
     const LossesOfRun losses(evidence, t, causes);
     result.cycles[t] = losses.cycles();
     for (std::size_t k = 0; k < result.cycles[t].size(); ++k) {
       if (!losses.visible(k)) continue;
-      ++visible[t];
-      found[t] += result.cycles[t][k];
+      ++result.seenIn[t];
+      result.foundIn[t] += result.cycles[t][k];
       onTime[t] += result.cycles[t][k] && losses.onTime(k);
     }
   });
   std::size_t seen = 0, late = 0;
   for (std::size_t t = 0; t < count; ++t) {
-    result.found += found[t];
-    seen += visible[t];
+    result.found += result.foundIn[t];
+    seen += result.seenIn[t];
     late += onTime[t];
   }
   result.share = seen ? static_cast<double>(result.found) / static_cast<double>(seen) : 0;
@@ -143,6 +145,7 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
   const double most = effect == effects().end() ? 1 : (*effect)->upper;
   if (static_cast<double>(late) < leastOnTime * static_cast<double>(result.found) || result.share > most) {
     for (auto& cycles : result.cycles) std::ranges::fill(cycles, std::uint8_t{0});
+    result.foundIn.assign(count, 0);
     result.found = 0;
     result.share = 0;
   }

@@ -19,6 +19,8 @@ struct LostCycles {
   double share = 0;
   static constexpr std::size_t minCount = 3;  ///< cycles; fewer are chance
   std::size_t found = 0;
+  /// Per trial: cycles in which a loss would have shown, and those of them that were lost.
+  std::vector<std::size_t> seenIn, foundIn;
   double price = 0;  ///< of the sum of squares for judging: each cycle was chosen to fit
 };
 LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, int jobs);

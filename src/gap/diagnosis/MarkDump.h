@@ -101,10 +101,10 @@ public:
   void add(const Trial& trial) {
     const auto& [name, recording, motion, recordedMotion, robot, freeBase, heading, time, command, followed,
                  commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt,
-                 velocityAt, signals, notPredicted, restarts, betweenSteps] = trial;
+                 velocityAt, signals, notPredicted, restarts, lost, betweenSteps] = trial;
     all(name, recording, motion, recordedMotion, *robot, freeBase, heading, time, command, followed,
         commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt, velocityAt,
-        signals, notPredicted, restarts, betweenSteps);
+        signals, notPredicted, restarts, lost, betweenSteps);
   }
   /// The program's file, which every change of the sources changes.
   void addProgram();

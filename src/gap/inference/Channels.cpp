@@ -49,15 +49,30 @@ double rmsRate(const Trial& trial, const Signal& signal) {
   return n > 0 ? std::sqrt(sum / n) : 0;
 }
 
-double differenceOf(const Signal& a, const Signal& b) {
+double differenceOf(const std::vector<double>& a, const std::vector<double>& b) {
   double sum = 0, n = 0;
-  for (std::size_t k = 0; k < std::min(a.values.size(), b.values.size()); ++k) {
-    const double d = a.values[k] - b.values[k];
+  for (std::size_t k = 0; k < std::min(a.size(), b.size()); ++k) {
+    const double d = a[k] - b[k];
     if (!std::isfinite(d)) continue;
     sum += d * d;
     ++n;
   }
   return n > 0 ? std::sqrt(sum / n / 2) : 0;
+}
+
+/// Per trial and signal: readings less what is predicted of them, if it is.
+std::vector<std::vector<std::vector<double>>> unpredicted(const std::vector<Trial>& trials,
+                                                          const std::vector<Prediction>& predicted) {
+  std::vector<std::vector<std::vector<double>>> left;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    auto& of = left.emplace_back();
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      std::vector<double>& values = of.emplace_back(trials[t].signals[s].values);
+      if (predicted.empty() || predicted[t].values.empty() || predicted[t].values[s].empty()) continue;
+      for (std::size_t k = 0; k < values.size(); ++k) values[k] -= predicted[t].values[s][k];
+    }
+  }
+  return left;
 }
 
 /// What is known of a channel over all recordings.
@@ -159,13 +174,19 @@ double smallestStep(std::vector<double> values) {
   return static_cast<double>(multiples) >= onTheGrid * static_cast<double>(steps.size()) ? step : 0;
 }
 
-std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trials) {
+std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trials,
+                                                 const std::vector<Prediction>& predicted) {
+  const std::vector<std::vector<std::vector<double>>> left = unpredicted(trials, predicted);
   Channels channels;
-  for (const Trial& trial : trials)
-    for (const Signal& signal : trial.signals) {
+  for (std::size_t t = 0; t < trials.size(); ++t)
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s) {
+      const Trial& trial = trials[t];
+      const Signal& signal = trial.signals[s];
       Found& found = channels[{signal.name, trial.freeBase}];
       found.kind = signal.kind;
       found.fast.push_back(fastPart(signal.values));
+      if (const double fast = predicted.empty() ? 0 : fastPart(left[t][s]); fast > 0)
+        found.fast.back() = std::min(found.fast.back(), fast);
       if (const double step = smallestStep(signal.values); step > 0) found.steps.push_back(step);
       found.rates.push_back(rmsRate(trial, signal));
       for (const double value : signal.values)
@@ -174,10 +195,10 @@ std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trial
   for (std::size_t a = 0; a < trials.size(); ++a)
     for (std::size_t b = a + 1; b < trials.size(); ++b) {
       if (!isRepeat(trials[a], trials[b])) continue;
-      for (const Signal& first : trials[a].signals)
-        for (const Signal& second : trials[b].signals)
-          if (first.name == second.name)
-            channels[{first.name, trials[a].freeBase}].repeats.push_back(differenceOf(first, second));
+      for (std::size_t s = 0; s < trials[a].signals.size(); ++s)
+        for (std::size_t other = 0; other < trials[b].signals.size(); ++other)
+          if (const std::string& name = trials[a].signals[s].name; name == trials[b].signals[other].name)
+            channels[{name, trials[a].freeBase}].repeats.push_back(differenceOf(left[a][s], left[b][other]));
     }
   findSteps(channels);
   std::vector<std::vector<ChannelUse>> uses;

@@ -2,6 +2,7 @@
 #include <string>
 #include <vector>
 
+#include "gap/replay/Replay.h"
 #include "gap/replay/Trial.h"
 
 namespace plumbline::gap {
@@ -20,7 +21,9 @@ struct ChannelUse {
 
 /// Per trial and signal. Noise is what repeats differ by, where there are some, else the channel's fast part
 /// (second differences); with it go the rounding of a quantised channel and 0.1 ms of jitter. One value per
-/// channel and kind of base, over all recordings.
-std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trials);
+/// channel and kind of base, over all recordings. predicted: per trial, what a model predicts (empty: of
+/// none). What repeats differ by is then what it leaves, and so is the fast part, where that is less.
+std::vector<std::vector<ChannelUse>> channelUses(const std::vector<Trial>& trials,
+                                                 const std::vector<Prediction>& predicted = {});
 
 }  // namespace plumbline::gap

@@ -23,9 +23,9 @@ std::vector<Trial> withCurrentSides(std::vector<Trial> trials) {
 
 }  // namespace
 
-Groups::Groups(std::vector<Trial> trials)
+Groups::Groups(std::vector<Trial> trials, const std::vector<Prediction>& predicted)
     : all_(std::make_shared<const std::vector<Trial>>(withCurrentSides(std::move(trials)))),
-      channels_(std::make_shared<const std::vector<std::vector<ChannelUse>>>(channelUses(*all_))) {
+      channels_(std::make_shared<const std::vector<std::vector<ChannelUse>>>(channelUses(*all_, predicted))) {
   std::size_t count = 0;
   for (std::size_t t = 0; t < all_->size(); ++t) {
     std::size_t recording = count;

@@ -20,7 +20,8 @@ struct Cell {
 /// says so.
 class Groups {
 public:
-  explicit Groups(std::vector<Trial> trials);
+  /// predicted: what a model predicts of each trial, for the noise (channelUses); empty: of none.
+  explicit Groups(std::vector<Trial> trials, const std::vector<Prediction>& predicted = {});
 
   /// The same without one group: the others, renumbered; one that is left alone is cut into stretches.
   Groups without(std::size_t group) const;

@@ -6,8 +6,8 @@
 
 #include "gap/inference/JointValues.h"
 #include "gap/inference/LeaveOutBias.h"
+#include "gap/inference/SearchRounds.h"
 #include "gap/inference/StageFindings.h"
-#include "gap/inference/StagedSearch.h"
 #include "gap/inference/StoredParts.h"
 #include "gap/inference/Unexplained.h"
 
@@ -40,6 +40,30 @@ Worst worstOfRepeats(const Groups& groups) {
   return worst;
 }
 
+/// Lost commands as a finding; not what they close.
+Finding findingOf(const CommandLosses& lost) {
+  Finding finding;
+  finding.cause = CommandLosses::cause(lost.share());
+  const Bounds interval = lost.interval();
+  finding.lower = interval.lower;
+  finding.upper = interval.upper;
+  finding.probability = 1 / (1 + std::exp(-lost.evidence));
+  finding.evidence = lost.evidence;
+  return finding;
+}
+
+/// Adds their share in the other groups to what is found without a group. Which commands a recording lost is
+/// not known before it was made, so none is taken as known there.
+void addLost(const CommandLosses& lost, const Groups& groups, std::vector<FoundWithout>& found) {
+  for (std::size_t g = 0; g < found.size(); ++g) {
+    std::vector<char> others;
+    for (std::size_t t = 0; t < groups.trials().size() && !groups.stretchesOfOne(); ++t)
+      others.push_back(!groups.holds(g, t));
+    if (const double share = lost.share(others); share > 0)
+      found[g].causes.push_back(CommandLosses::cause(share));
+  }
+}
+
 std::vector<std::string> unused(const Groups& groups) {
   std::set<std::string> lines;
   const auto kind = [](const std::string& column) { return column.substr(0, column.find('.')); };
@@ -61,15 +85,16 @@ void sortByEvidence(std::vector<Finding>& findings) {
 }
 
 Inference infer(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options) {
-  const Groups groups(std::move(trials));
-  const Replayer replayer(robot, groups, options.jobs);
+  SearchRounds rounds(robot, std::move(trials), options);
   const auto report = [&](const char* stage, double share) {
     if (options.progress) options.progress(stage, share);
   };
+  StoredParts parts(options.memory, [&] { return rounds.numAsked(); });
+  rounds.run(parts);
+  const StagedSearch& search = rounds.last().search;
+  const Groups& groups = rounds.last().groups;
+  const Replayer& replayer = rounds.last().replayer;
   const bool fixedBase = std::ranges::none_of(groups.trials(), &Trial::freeBase);
-  StagedSearch search(replayer, options);
-  StoredParts parts(options.memory, [&] { return search.numAsked(); });
-  search.run(parts);
   const Explanation causes = search.causes();
   std::vector<FoundWithout> without = search.withoutEach();
 
@@ -81,18 +106,27 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     for (const ChannelUse& use : uses) of.push_back({use.noise, use.noise, false});
   }
   Diagnosis& diagnosis = result.diagnosis;
-  const double nominal = positionsLeft(replayer, {}), all = positionsLeft(replayer, causes);
+  ReplayOptions commandsAsSent;
+  commandsAsSent.asSent = true;
+  const Replayer asSent(robot, groups, options.jobs, commandsAsSent);
+  const double nominal = positionsLeft(asSent, {}), all = positionsLeft(replayer, causes);
   for (const auto& stage : search.stages()) {
     for (Finding& finding : findingsOf(*stage)) {
       const std::size_t i = diagnosis.findings.size();  // causes are in the same order
-      finding.closedAlone = 1 - positionsLeft(replayer, {finding.cause}) / nominal;
+      finding.closedAlone = 1 - positionsLeft(asSent, {finding.cause}) / nominal;
       finding.closedLast = (positionsLeft(replayer, gap::without(causes, i)) - all) / nominal;
       diagnosis.findings.push_back(std::move(finding));
     }
     for (std::string& line : supportedByOne(*stage)) result.onlyIn.push_back(std::move(line));
   }
+  result.lost = rounds.lost();
+  if (result.lost.any()) {
+    Finding& finding = diagnosis.findings.emplace_back(findingOf(result.lost));
+    finding.closedAlone = 1 - positionsLeft(replayer, {}) / nominal;
+    finding.closedLast = (positionsLeft(asSent, causes) - all) / nominal;
+  }
   sortByEvidence(diagnosis.findings);
-  const Worst before = worstOf(replayer, {}), after = worstOf(replayer, causes);
+  const Worst before = worstOf(asSent, {}), after = worstOf(replayer, causes);
   diagnosis.worstBefore = before.size;
   diagnosis.worstSignal = before.signal;
   diagnosis.worstAfter = after.size;
@@ -101,32 +135,36 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   result.repeatsDiffer = repeats.size;
   result.repeatsSignal = repeats.signal;
   result.bound = after.bound;
-  const double beyond = causes.empty() ? std::max(after.share(), repeats.share()) : after.share();
-  diagnosis.verdict = beyond > 1 ? Verdict::unknown : causes.empty() ? Verdict::none : Verdict::effect;
+  const bool none = diagnosis.findings.empty();
+  const double beyond = none ? std::max(after.share(), repeats.share()) : after.share();
+  diagnosis.verdict = beyond > 1 ? Verdict::unknown : none ? Verdict::none : Verdict::effect;
   diagnosis.knownProbability = 1 / (1 + beyond * beyond);
-  for (const FoundWithout& of : without) result.foundWithout.push_back(of.causes);
   // If the causes explain everything, their values are right.
   if (diagnosis.verdict == Verdict::unknown && fixedBase && differsByJoint(robot, causes)) {
     const Replayer& quick = search.coarse() ? *search.coarse() : replayer;
-    const std::string inEachJoint = "values in each joint";
+    const std::string fits = "values in each joint";
     const auto reportFits = [&](std::size_t done) {
-      report(inEachJoint.c_str(), static_cast<double>(done) / static_cast<double>(without.size() + 1));
+      report(fits.c_str(), static_cast<double>(done) / static_cast<double>(without.size() + 1));
     };
     for (std::size_t g = 0; g < without.size(); ++g) {
       reportFits(g);
       const Groups others = groups.without(g);
-      without[g].causes = parts.values(inEachJoint + nameWithout(g), [&] {
-        return withJointValues(Replayer(quick, others), without[g].causes);
-      });
+      without[g].causes = parts.values(
+          fits + nameWithout(g), [&] { return withJointValues(Replayer(quick, others), without[g].causes); });
     }
     reportFits(without.size());
-    diagnosis.jointValues = parts.values(inEachJoint, [&] { return withJointValues(quick, causes); });
+    diagnosis.jointValues = parts.values(fits, [&] { return withJointValues(quick, causes); });
   }
   report("recordings left out", 0);
-  result.leftOut = leftWithout(groups, without);
-  result.claim =
-      claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)),
-              leaveOutBias(groups, diagnosis.jointValues.empty() ? causes : diagnosis.jointValues, without));
+  addLost(result.lost, groups, without);
+  Explanation& inEachJoint = diagnosis.jointValues;
+  if (result.lost.any() && !inEachJoint.empty())
+    inEachJoint.push_back(CommandLosses::cause(result.lost.share()));
+  for (const FoundWithout& of : without) result.foundWithout.push_back(of.causes);
+  result.leftOut = leftWithout(rounds.sent(), without);
+  result.claim = claimOf(
+      closedPerGroup(result.leftOut, groupsOfRecordings(groups)),
+      leaveOutBias(rounds.sent(), inEachJoint.empty() ? diagnosis.explanation() : inEachJoint, without));
   double squaresBefore = 0, squaresAfter = 0, squaresFloor = 0;
   const auto count = static_cast<double>(result.leftOut.size());
   for (const RecordingLeft& recording : result.leftOut) {

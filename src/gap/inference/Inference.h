@@ -6,6 +6,7 @@
 #include "gap/diagnosis/Diagnosis.h"
 #include "gap/diagnosis/Noise.h"
 #include "gap/inference/Claim.h"
+#include "gap/inference/CommandLosses.h"
 #include "gap/inference/HoldOut.h"
 #include "gap/inference/Unexplained.h"
 #include "gap/replay/Trial.h"
@@ -41,6 +42,7 @@ struct Inference {
   double bound = leastUnexplained;  ///< of Diagnosis::worstAfter: up to it nothing is unexplained
   /// Asked for, those that were in memory among them: of one chain of joints in one recording each.
   std::size_t replays = 0;
+  CommandLosses lost;  ///< also one of the findings if there are any
 
   /// A remark where repeats differ by more than that noise; else empty. Without any cause the verdict is then
   /// unknown, not none.

@@ -19,7 +19,7 @@ std::string howRepeatsDiffer(const Inference& of) {
 std::string Inference::runToRun() const {
   if (repeatsDiffer <= leastUnexplained) return "";
   return "Something changes from run to run: repeats of one motion " + howRepeatsDiffer(*this) +
-         ". What is missing within that is not seen; --method blocks looks for lost commands.";
+         ". Lost commands do not explain it; what is missing within that is not seen.";
 }
 
 std::string Inference::sentence() const {
@@ -55,7 +55,10 @@ std::string Inference::sentence() const {
       100 * least, 100 * most);
   const std::string claimed =
       least <= most
-          ? text
+          ? text + std::string(lost.any()
+                                   ? " No model knows which commands will be lost, so what that changes "
+                                     "in a recording stays open."
+                                   : "")
           : "In none of the recordings are all joints together off by more than the noise, so it is not "
             "known how far another recording's gap closes.";
   if (diagnosis.verdict == Verdict::effect)

@@ -10,7 +10,7 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr int rounds = 2, stepsOfRound = 6;
+constexpr int rounds = 2, stepsOfFit = 6;
 /// Per share of the squares that the causes leave. If those are some ten independent samples, standard
 /// deviations of 3.2 and 5.8 of the least starts of a search: decision 17.
 constexpr Shrinkage prior{.own = 1e-2, .common = 3e-3};
@@ -29,7 +29,7 @@ Explanation withJointValues(const Replayer& replayer, const Explanation& causes)
   // The scale of the remainder is that of the last round.
   for (int round = 0; round < rounds; ++round) {
     const double left = fitted.left;
-    fitted = fitPerJoint(replayer, std::move(fitted), stepsOfRound,
+    fitted = fitPerJoint(replayer, std::move(fitted), stepsOfFit,
                          {.own = left * prior.own, .common = left * prior.common});
   }
   Explanation model = std::move(fitted.causes);

@@ -12,10 +12,7 @@ namespace {
 
 BeamResult searchWithout(const SearchTools& tools, std::size_t group, const Groups& others,
                          const SetSearchOptions& options) {
-  SetSearchOptions settings = options;
-  settings.quick = true;
-  settings.width = 1;
-  settings.proposals = 3;
+  SetSearchOptions settings = quickly(options);
   if (options.progress)
     settings.progress = [&](double share) {
       const auto count = static_cast<double>(tools.replayer.groups().count());

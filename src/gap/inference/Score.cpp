@@ -68,12 +68,7 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
   return scored;
 }
 
-std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
-                            const std::vector<Explanation>& without) {
-  const Groups& groups = replayer.groups();
-  std::vector<double> gains(groups.count(), 0.0);
-  if (fitted.empty()) return gains;
-  const Residuals left = replayer.residuals(fitted), nominal = replayer.residuals({});
+Shares sharesOfBoth(const Groups& groups, const Residuals& left, const Residuals& nominal) {
   Shares shares = sharesOf(groups, left);
   const Shares ofNominal = sharesOf(groups, nominal);
   for (std::size_t c = 0; c < shares.size(); ++c) {
@@ -83,6 +78,16 @@ std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
     if (series) time = timeOfScale(time, series->fitOf(cell.from, cell.to, cell.noise).scale, cell.noise);
     shares[c] = 2 / (time + 1 / ofNominal[c]);
   }
+  return shares;
+}
+
+std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
+                            const std::vector<Explanation>& without) {
+  const Groups& groups = replayer.groups();
+  std::vector<double> gains(groups.count(), 0.0);
+  if (fitted.empty()) return gains;
+  const Residuals nominal = replayer.residuals({});
+  const Shares shares = sharesOfBoth(groups, replayer.residuals(fitted), nominal);
   const std::vector<double> none = densities(groups, nominal, shares);
   for (std::size_t g = 0; g < groups.count(); ++g) {
     std::vector<char> wanted(groups.count(), 0);

@@ -29,10 +29,14 @@ enum class LeaveOut { newtonStep, refit };
 Scored score(const Replayer& replayer, const Shares& shares, const Explanation& start, std::size_t kinds,
              int mostSteps, LeaveOut how = LeaveOut::newtonStep, const std::vector<Explanation>& starts = {});
 
+/// Shares under which two hypotheses are compared: of the mean of the two correlation times of what they
+/// leave. The difference of two log scales has the variances of both. A scale at the noise is known, and has
+/// none.
+Shares sharesOfBoth(const Groups& groups, const Residuals& left, const Residuals& nominal);
+
 /// What a set gains over the nominal model in each group, with the values that it has without the group.
-/// Both count with the mean of the two correlation times of what they leave (the set with its values of all
-/// groups): the difference of two log scales has the variances of both. A scale at the noise is known, and
-/// has none. So a set has one score, whatever it is compared with.
+/// Both count under sharesOfBoth (the set with its values of all groups), so a set has one score, whatever it
+/// is compared with.
 std::vector<double> gainsOf(const Replayer& replayer, const Explanation& fitted,
                             const std::vector<Explanation>& without);
 

@@ -127,6 +127,13 @@ BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions&
 
 }  // namespace
 
+SetSearchOptions quickly(SetSearchOptions options) {
+  options.quick = true;
+  options.width = 1;
+  options.proposals = 3;
+  return options;
+}
+
 BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options) {
   if (tools.windows) return searchInWindowsToo(tools, options);
   return tools.coarse ? searchByDerivatives(tools, options) : searchSets(tools.replayer, options);

@@ -25,6 +25,9 @@ struct SetSearchOptions : BeamOptions {
   bool expectMany = false;  ///< more causes than mostSetBySet: derivatives propose sets at once
 };
 
+/// Of a search that is one of many: narrower.
+SetSearchOptions quickly(SetSearchOptions options);
+
 /// Searches for the set of causes with the best score (doc/decisions/0013). Few kinds are searched in two
 /// ways, by fits to free replays (searchSets) and by what windows propose. Of many kinds, sets are proposed
 /// by derivatives of free replays. With neither tool free replays alone are fitted. One score judges all

@@ -1,7 +1,6 @@
 #include "gap/inference/StagedSearch.h"
 
 #include <algorithm>
-#include <iterator>
 
 #include "gap/inference/CauseKinds.h"
 #include "gap/inference/PossibleKinds.h"
@@ -43,17 +42,23 @@ std::vector<FoundWithout> chosenWithoutEach(const std::vector<Scored>& sets, std
 
 }  // namespace
 
-StagedSearch::StagedSearch(const Replayer& whole, const InferenceOptions& options)
-    : whole_(whole), options_(options) {
+StagedSearch::StagedSearch(const Replayer& whole, const InferenceOptions& options,
+                           const std::vector<Prediction>& predicted, std::string name, StagedSearch* alike)
+    : whole_(whole), options_(options), name_(std::move(name)), alike_(alike) {
   const std::vector<Trial>& trials = whole_.groups().trials();
   const bool anyFree = std::ranges::any_of(trials, &Trial::freeBase),
              anyFixed = !std::ranges::all_of(trials, &Trial::freeBase);
   twoStages_ = anyFree && anyFixed;
   if (twoStages_) {
     std::vector<Trial> fixed;
-    std::ranges::copy_if(trials, std::back_inserter(fixed), std::logical_not(), &Trial::freeBase);
-    stages_.push_back(
-        std::make_unique<SearchStage>(whole_.mechanism(), Groups(std::move(fixed)), options.jobs));
+    std::vector<Prediction> predictedOfFixed;
+    for (std::size_t t = 0; t < trials.size(); ++t) {
+      if (trials[t].freeBase) continue;
+      fixed.push_back(trials[t]);
+      if (!predicted.empty()) predictedOfFixed.push_back(predicted[t]);
+    }
+    stages_.push_back(std::make_unique<SearchStage>(
+        whole_.mechanism(), Groups(std::move(fixed), predictedOfFixed), options.jobs));
   } else {
     stages_.push_back(std::make_unique<SearchStage>(whole_, whole_.groups()));
   }
@@ -76,11 +81,62 @@ std::size_t StagedSearch::mostCauses() const {
   return few_ ? SetSearchOptions().mostCauses : mostOfManyKinds;
 }
 
-void StagedSearch::run(StoredParts& parts) {
-  searchAllKinds(*stages_.front(), parts);
+SearchTools StagedSearch::tools() {
+  return {stages_.front()->replayer, windows_ ? &*windows_ : nullptr, coarse()};
+}
+
+const CandidateScreening& StagedSearch::screening(StoredParts& parts) {
+  if (alike_) return alike_->screening(parts);
+  if (!screening_) {
+    parts.uncounted([&] {
+      const SearchStage& stage = *stages_.front();
+      report("each cause alone", 0);
+      ScreeningOptions each;
+      each.progress = [&](double share) { report("each cause alone", share); };
+      screening_.emplace(stage.replayer, sharesOf(stage.groups, stage.replayer.residuals({})), each);
+    });
+  }
+  return *screening_;
+}
+
+BeamResult StagedSearch::searchAllKinds(const std::string& part, std::size_t groups, StoredParts& parts,
+                                        const std::function<BeamResult()>& run) {
+  if (!parts.holdsSearch(part, groups)) search_.screening = &screening(parts);
+  return parts.search(part, groups, run);
+}
+
+void StagedSearch::findFirst(StoredParts& parts) {
+  search_ = {};
+  search_.mostCauses = mostCauses();
+  find(setsOfCauses + name_, parts);
+}
+
+void StagedSearch::findFew(StoredParts& parts) {
+  search_ = quickly({});
+  search_.mostCauses = std::min(mostSetBySet, mostCauses());
+  find(setsOfCauses + name_ + ", few", parts);
+}
+
+void StagedSearch::find(const std::string& part, StoredParts& parts) {
+  SearchStage& stage = *stages_.front();
+  search_.progress = [&](double share) { report(setsOfCauses.c_str(), share); };
+  stage.found =
+      searchAllKinds(part, stage.groups.count(), parts, [&] { return searchForSets(tools(), search_); });
+  stage.probabilities = posterior(stage.found.sets);
+}
+
+void StagedSearch::finish(StoredParts& parts) {
+  SearchStage& first = *stages_.front();
+  search_.expectMany = coarse_ && first.best().causes().size() > mostSetBySet;
+  search_.progress = [&](double share) { report("again without each recording in turn", share); };
+  first.without = findWithoutEach(tools(), search_, [&](std::size_t g, std::size_t left, const auto& run) {
+    return searchAllKinds(setsOfCauses + name_ + nameWithout(g), left, parts, run);
+  });
   if (!twoStages_) return;
-  stages_.push_back(std::make_unique<SearchStage>(whole_, whole_.groups().withFixedBaseAsOne(),
-                                                  stages_.front()->best().causes()));
+  Explanation base = whole_.base();
+  base.insert(base.end(), first.best().causes().begin(), first.best().causes().end());
+  stages_.push_back(
+      std::make_unique<SearchStage>(whole_, whole_.groups().withFixedBaseAsOne(), std::move(base)));
   SearchStage& second = *stages_.back();
   if (worstOf(second.replayer, {}, leastSearchedOnFeet).share() > 1) {
     searchKindsLeft(second, parts);
@@ -91,35 +147,6 @@ void StagedSearch::run(StoredParts& parts) {
   }
   second.probabilities = posterior(second.found.sets);
   second.without = chosenWithoutEach(second.found.sets, second.groups.count());
-}
-
-void StagedSearch::searchAllKinds(SearchStage& stage, StoredParts& parts) {
-  const SearchTools tools{stage.replayer, windows_ ? &*windows_ : nullptr, coarse()};
-  std::optional<CandidateScreening> screening;
-  SetSearchOptions search;
-  // The screening serves all searches, but takes long: where all are stored, nobody needs it.
-  const auto searched = [&](const std::string& name, std::size_t count,
-                            const std::function<BeamResult()>& run) {
-    if (!screening && !parts.holdsSearch(name, count)) {
-      parts.uncounted([&] {
-        report("each cause alone", 0);
-        ScreeningOptions each;
-        each.progress = [&](double share) { report("each cause alone", share); };
-        screening.emplace(stage.replayer, sharesOf(stage.groups, stage.replayer.residuals({})), each);
-      });
-      search.screening = &*screening;
-    }
-    return parts.search(name, count, run);
-  };
-  search.mostCauses = mostCauses();
-  search.progress = [&](double share) { report(setsOfCauses.c_str(), share); };
-  stage.found = searched(setsOfCauses, stage.groups.count(), [&] { return searchForSets(tools, search); });
-  stage.probabilities = posterior(stage.found.sets);
-  search.expectMany = coarse_ && stage.best().causes().size() > mostSetBySet;
-  search.progress = [&](double share) { report("again without each recording in turn", share); };
-  stage.without = findWithoutEach(tools, search, [&](std::size_t g, std::size_t left, const auto& run) {
-    return searched(setsOfCauses + nameWithout(g), left, run);
-  });
 }
 
 void StagedSearch::searchKindsLeft(SearchStage& stage, StoredParts& parts) {
@@ -134,7 +161,7 @@ void StagedSearch::searchKindsLeft(SearchStage& stage, StoredParts& parts) {
   search.lastSteps = 4;
   search.lastLeaveOut = LeaveOut::newtonStep;
   search.progress = [&](double share) { report(setsOnFeet.c_str(), share); };
-  stage.found = parts.search(setsOnFeet, stage.groups.count(), [&] {
+  stage.found = parts.search(setsOnFeet + name_, stage.groups.count(), [&] {
     const Replayer hung(coarse_ ? *coarse_ : first.replayer, first.groups, stage.replayer.base());
     const RuledOut ruledOut(hung, possibleKinds(stage.groups, whole_.mechanism()),
                             [&](double share) { report("what hung recordings rule out", share); });

@@ -1,8 +1,10 @@
 #pragma once
 #include <memory>
 #include <optional>
+#include <string>
 #include <vector>
 
+#include "gap/inference/CandidateScreening.h"
 #include "gap/inference/Inference.h"
 #include "gap/inference/LeaveOut.h"
 #include "gap/inference/StoredParts.h"
@@ -34,10 +36,19 @@ struct SearchStage {
 /// with the causes found in place and their values held, for kinds that the first do not rule out (RuledOut).
 class StagedSearch {
 public:
-  /// whole: of all recordings; must outlive it.
-  StagedSearch(const Replayer& whole, const InferenceOptions& options);
+  /// whole: of all recordings; must outlive it. Recordings on the feet have its base (Replayer). predicted:
+  /// of its groups. name: what the names of stored parts end with. alike: of the same trials with nearly the
+  /// same commands, whose screening serves this one as well; null: none.
+  StagedSearch(const Replayer& whole, const InferenceOptions& options,
+               const std::vector<Prediction>& predicted = {}, std::string name = "",
+               StagedSearch* alike = nullptr);
 
-  void run(StoredParts& parts);
+  /// The first stage's sets.
+  void findFirst(StoredParts& parts);
+  /// The same, quickly: sets of few causes.
+  void findFew(StoredParts& parts);
+  /// After that: what is found without each group, and the second stage.
+  void finish(StoredParts& parts);
 
   const std::vector<std::unique_ptr<SearchStage>>& stages() const { return stages_; }
   /// Of all stages.
@@ -51,7 +62,11 @@ public:
 
 private:
   std::size_t mostCauses() const;  ///< in the answer
-  void searchAllKinds(SearchStage& stage, StoredParts& parts);
+  void find(const std::string& part, StoredParts& parts);
+  BeamResult searchAllKinds(const std::string& part, std::size_t groups, StoredParts& parts,
+                            const std::function<BeamResult()>& run);
+  SearchTools tools();
+  const CandidateScreening& screening(StoredParts& parts);
   void searchKindsLeft(SearchStage& stage, StoredParts& parts);
   void report(const char* what, double share) const {
     if (options_.progress) options_.progress(what, share);
@@ -63,6 +78,11 @@ private:
   std::vector<std::unique_ptr<SearchStage>> stages_;
   std::optional<WindowReplayer> windows_;  ///< of the first stage
   std::optional<Replayer> coarse_;
+  const std::string name_;
+  StagedSearch* const alike_;
+  SetSearchOptions search_;  ///< of the first stage
+  /// Serves all searches of the first stage, but takes long: where all are stored, nobody needs it.
+  std::optional<CandidateScreening> screening_;
 };
 
 }  // namespace plumbline::gap

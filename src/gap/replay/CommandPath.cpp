@@ -18,11 +18,12 @@ double firstFinite(const std::vector<double>& values) {
 }  // namespace
 
 CommandPath::CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint,
-                         const std::vector<std::uint8_t>* lostCycles)
+                         const std::vector<std::uint8_t>* lostCycles, double shareLost)
     : command_(&trial.targets(joint)),
       time_(trial.time),
       lost_(lostCycles),
       losable_(!trial.command[joint].empty()),
+      shareLost_(losable_ ? shareLost : 0),
       shift_(trial.commandAt[joint] + plant.commandDelay),
       lag_(plant.commandLag),
       acceleration_(plant.accelerationLimit),
@@ -52,6 +53,11 @@ void CommandPath::take(std::size_t cycle) {
   read(torques_, sentTorque_);
 }
 
+double CommandPath::after(std::size_t cycle) const {
+  const double sent = (*command_)[cycle];
+  return lost_ || shareLost_ <= 0 ? sent : sent + shareLost_ * (current_ - sent);
+}
+
 /// Integral [rad s] of what the filter gives while its input goes on from a value [rad] at a slope [rad/s],
 /// exactly.
 double CommandPath::filtered(double value, double slope, double duration) {
@@ -76,7 +82,7 @@ double CommandPath::line(double from, double to) {
     const double reached = last ? to : std::min(to, time_[ahead] + shift_);
     const double slope = last || time_[ahead] + shift_ <= currentAt_
                              ? 0
-                             : ((*command_)[ahead] - current_) / (time_[ahead] + shift_ - currentAt_);
+                             : (after(ahead) - current_) / (time_[ahead] + shift_ - currentAt_);
     end_ = current_ + slope * (reached - currentAt_);
     if (reached > since) {
       sum += lag_ > 0 ? filtered(current_ + slope * (since - currentAt_), slope, reached - since)
@@ -84,7 +90,7 @@ double CommandPath::line(double from, double to) {
       since = reached;
     }
     if (last || time_[ahead] + shift_ >= to) break;
-    current_ = (*command_)[ahead];
+    current_ = after(ahead);
     currentAt_ = time_[ahead] + shift_;
     take(ahead);
     next_ = ahead + 1;
@@ -105,7 +111,7 @@ double CommandPath::target(double from, double to) {
       if (next_ < command_->size() && std::isfinite((*command_)[next_])) {
         sum += held(when - since);
         since = when;
-        current_ = (*command_)[next_];
+        current_ = after(next_);
       }
       take(next_);
     }

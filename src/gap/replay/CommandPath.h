@@ -12,9 +12,10 @@ namespace plumbline::gap {
 /// acceleration limit. Query in ascending time.
 class CommandPath {
 public:
-  /// lost: per cycle, whether its command was lost; null: none.
+  /// lost: per cycle, whether its command was lost; null: unknown. Then a share of the plant's commands
+  /// (shareLost) is lost by chance, and these are the mean commands: each takes 1 - shareLost of the way.
   CommandPath(const JointPlant& plant, const Trial& trial, std::size_t joint,
-              const std::vector<std::uint8_t>* lost);
+              const std::vector<std::uint8_t>* lost, double shareLost = 0);
 
   /// Mean command over (from, to] [rad]: a change within a step counts by its share, to second order in the
   /// step.
@@ -30,6 +31,8 @@ public:
 
 private:
   double target(double from, double to);
+  /// What acts after a cycle's command [rad].
+  double after(std::size_t cycle) const;
   double line(double from, double to);
   double filtered(double value, double slope, double duration);
   void take(std::size_t cycle);
@@ -40,7 +43,7 @@ private:
   const std::vector<double>& time_;
   const std::vector<std::uint8_t>* lost_;
   bool losable_ = true;  ///< it gets commands
-  double shift_ = 0, lag_ = 0, acceleration_ = 0, fastest_ = 0;
+  double shareLost_ = 0, shift_ = 0, lag_ = 0, acceleration_ = 0, fastest_ = 0;
   std::size_t next_ = 0;
   double current_ = 0, stiff_ = 1, volts_ = 0, sentSpeed_ = 0, sentTorque_ = 0;
   bool straight_ = false;  ///< linear from command to command

@@ -50,6 +50,11 @@ bool asked(int joint, const Trial& trial, const ReplayOptions& options) {
          std::ranges::find(options.joints, joint) != options.joints.end();
 }
 
+const std::vector<std::uint8_t>* lostIn(const Trial& trial, const ReplayOptions& options) {
+  if (options.lostCycles) return options.lostCycles;
+  return options.asSent || trial.lost.empty() ? nullptr : &trial.lost;
+}
+
 /// Joints that are played for their load alone are the nominal ones, so that a replay of some joints depends
 /// on nothing but what is at them. The plant itself where there are none such.
 std::shared_ptr<const Plant> plantToPlay(const Plant& plant, const Trial& trial,
@@ -73,7 +78,7 @@ std::shared_ptr<const Plant> plantToPlay(const Plant& plant, const Trial& trial,
 Playback::Playback(const Plant& plant, const Trial& trial, const ReplayOptions& options)
     : trial_(trial),
       plant_(plantToPlay(plant, trial, options)),
-      stepper_(*plant_, trial, jointsToPlay(plant, trial, options), options.lostCycles),
+      stepper_(*plant_, trial, jointsToPlay(plant, trial, options), lostIn(trial, options)),
       longest_(stepper_.geared() ? options.gearStep : options.step),
       settleFor_(settlingTime(trial, options)),
       t_(trial.time[0]),

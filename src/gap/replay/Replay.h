@@ -15,7 +15,9 @@ struct ReplayOptions {
   double gearStep = 0.001;  ///< the same if a gear has backlash or compliance [s]
   double settle = 1;  ///< time for which the first command is held before the run [s]; 0: starts as measured
   bool restarts = true;  ///< restarts from the measured state where the trial says; false: in one piece
-  const std::vector<std::uint8_t>* lostCycles = nullptr;  ///< per cycle: its command was lost
+  /// Per cycle: its command was lost; null: what the trial knows.
+  const std::vector<std::uint8_t>* lostCycles = nullptr;
+  bool asSent = false;  ///< as if the trial knew of no lost command
   /// Steps are as long as they may be and need not end with cycles; a command counts by its share of a step.
   bool acrossCycles = false;
 };

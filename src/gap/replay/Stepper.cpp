@@ -30,7 +30,7 @@ Stepper::Stepper(const Plant& plant, const Trial& trial, const std::vector<int>&
   for (std::size_t i = 0; i < joints.size(); ++i) {
     const auto joint = index(joints[i]);
     const JointPlant& p = plant_.joints[joint];
-    Drive drive{.path = CommandPath(p, trial_, joint, lostCycles), .plant = &p};
+    Drive drive{.path = CommandPath(p, trial_, joint, lostCycles, plant.dropout), .plant = &p};
     drive.joint = joints[i];
     drive.link = drive.motor = tree_.baseSize() + static_cast<int>(i);
     drive.armature = p.servo.armature;

@@ -67,6 +67,8 @@ struct Trial {
   /// Restarts of a walking robot (see Restarts.h) or of windows (inference/WindowStarts.h), in ascending
   /// order; none: replayed in one piece.
   std::vector<Restart> restarts;
+  /// Per cycle: its commands never came; empty: of none is it known. Found by a diagnosis, not recorded.
+  std::vector<std::uint8_t> lost;
   /// Per cycle of a walking robot: no foot is about to land or has just landed or lifted off; else empty.
   std::vector<std::uint8_t> betweenSteps;
 

@@ -108,4 +108,22 @@ TEST(Channels, aDutyIsUsedWhereTheServosLawIsKnown) {
   EXPECT_EQ(channelUses({trial})[0][1].why, "the robot's file gives no law of the servo's duty");
 }
 
+TEST(Channels, whatAModelPredictsOfADifferenceBetweenRepeatsIsNoNoise) {
+  const Plant plant = nominalPlant(twoJointArm());
+  const std::vector<Trial> trials = recordedTwice(plant, 1e-3, 0.2);
+  EXPECT_GT(channelUses(trials)[0][0].noise, 5e-3);
+  std::vector<Prediction> predicted;
+  for (const std::uint64_t seed : {11, 12}) {  // of recordedTwice
+    Random random(seed);
+    std::vector<std::uint8_t> lost(trials[0].cycles(), 0);
+    for (auto& cycle : lost) cycle = random.uniform() < 0.2;
+    ReplayOptions options;
+    options.lostCycles = &lost;
+    predicted.push_back(replay(plant, trials[0], options));
+  }
+  const ChannelUse use = channelUses(trials, predicted)[0][0];
+  EXPECT_NEAR(use.noise, 1e-3, 2e-4);
+  EXPECT_NEAR(use.readingNoise, 1e-3, 2e-4);
+}
+
 }  // namespace plumbline::gap

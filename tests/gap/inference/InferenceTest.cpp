@@ -72,7 +72,7 @@ TEST(Inference, saysWhatChangesFromRunToRun) {
   EXPECT_EQ(
       found.runToRun(),
       "Something changes from run to run: repeats of one motion differ by 16.6 times the readings' noise in "
-      "pos.elbow. What is missing within that is not seen; --method blocks looks for lost commands.");
+      "pos.elbow. Lost commands do not explain it; what is missing within that is not seen.");
   found.repeatsDiffer = 0.9;
   EXPECT_EQ(found.runToRun(), "");
 }

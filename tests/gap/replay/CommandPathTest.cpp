@@ -64,6 +64,17 @@ TEST_F(CommandPathTest, aDelayShiftsIt) {
   EXPECT_NEAR(path.over(0.05, 0.06), 0.25, 1e-9);
 }
 
+TEST_F(CommandPathTest, ofCommandsThatAreLostByChanceTheMeanActs) {
+  // With a fifth lost, 80 % of the robots have the step's first command, 96 % the first or the second.
+  CommandPath path(plant, trial, 0, nullptr, 0.2);
+  EXPECT_DOUBLE_EQ(path.over(0.04, 0.05), 0);
+  EXPECT_NEAR(path.over(0.05, 0.06), 0.8, 1e-12);
+  EXPECT_NEAR(path.over(0.06, 0.07), 0.96, 1e-12);
+  const std::vector<std::uint8_t> none(10, 0);
+  CommandPath known(plant, trial, 0, &none, 0.2);
+  EXPECT_DOUBLE_EQ(known.over(0.05, 0.06), 1);
+}
+
 TEST_F(CommandPathTest, lostCyclesAndLostSamplesHoldTheLastCommand) {
   std::vector<std::uint8_t> lost(10, 0);
   lost[5] = 1;

@@ -44,6 +44,19 @@ TEST_F(PlaybackTest, aStepSpansNoCyclesWhoseCommandIsAskedFor) {
   EXPECT_EQ(Playback(plant, withTorque, options).lastInStep(0), 0u);
 }
 
+TEST_F(PlaybackTest, whatATrialKnowsToBeLostIsNotPlayedUnlessAsSent) {
+  std::vector<std::uint8_t> lost(trial.cycles(), 0);
+  for (const std::size_t k : {20, 21, 40}) lost[k] = 1;
+  Trial knows = trial;
+  knows.lost = lost;
+  ReplayOptions given, asSent;
+  given.lostCycles = &lost;
+  asSent.asSent = true;
+  EXPECT_EQ(replay(plant, knows).values, replay(plant, trial, given).values);
+  EXPECT_NE(replay(plant, knows).values, replay(plant, trial).values);
+  EXPECT_EQ(replay(plant, knows, asSent).values, replay(plant, trial).values);
+}
+
 TEST_F(PlaybackTest, aCopyGoesOnByItself) {
   Playback one(plant, trial, {});
   one.settle();

@@ -1,0 +1,80 @@
+#include "gap/inference/SearchRounds.h"
+
+#include <utility>
+
+#include "gap/inference/PossibleKinds.h"
+
+namespace plumbline::gap {
+
+namespace {
+
+constexpr std::size_t mostRounds = 4;  // of decoding and search
+
+}  // namespace
+
+SearchRounds::SearchRounds(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options)
+    : robot_(robot), options_(options) {
+  rounds_.push_back(std::make_unique<SearchRound>(robot, std::move(trials), options));
+}
+
+std::size_t SearchRounds::numAsked() const {
+  std::size_t sum = 0;
+  for (const auto& round : rounds_) sum += round->search.numAsked();
+  return sum;
+}
+
+/// Begins another round if these causes show other lost commands than are known.
+bool SearchRounds::decode(const Explanation& causes) {
+  if (options_.progress) options_.progress("lost commands", 0);
+  const std::vector<Trial>& trials = sent().trials();
+  CommandLosses lost = decodeLostCommands(trials, last().groups, causes, options_.jobs);
+  if (lost.any()) {
+    const std::vector<Trial> known = withLost(trials, lost);
+    const Groups groups(known, predictionsOf(known, causes, options_.jobs));
+    lost.evidence = evidenceOf(lost, Replayer(robot_, groups, options_.jobs), causes,
+                               possibleKinds(groups, robot_).size());
+  }
+  if (!(lost.evidence > 0)) lost = {};
+  if (lost.cycles == lost_.cycles) {
+    lost_.evidence = lost.evidence;
+    return false;
+  }
+  begin(lost, causes);
+  return true;
+}
+
+void SearchRounds::begin(const CommandLosses& lost, const Explanation& causes) {
+  const std::string name = ", commands lost " + std::to_string(rounds_.size());
+  // From round to round few of many lost commands change.
+  StagedSearch* const alike = lost_.any() && lost.any() ? &rounds_.back()->search : nullptr;
+  lost_ = lost;
+  std::vector<Trial> known = withLost(sent().trials(), lost);
+  std::vector<Prediction> predicted;
+  Explanation onFeet;
+  if (lost.any()) {
+    predicted = predictionsOf(known, causes, options_.jobs);
+    onFeet.push_back(CommandLosses::cause(lost.share()));
+  }
+  rounds_.push_back(
+      std::make_unique<SearchRound>(robot_, std::move(known), options_, predicted, onFeet, name, alike));
+}
+
+void SearchRounds::run(StoredParts& parts) {
+  const bool mayLose = mayHaveLostCommands(sent());
+  // A set of causes that is searched for first takes in what lost commands do.
+  if (mayLose && !decode({}) && repeatsDiffer(sent())) {
+    rounds_.back()->search.findFew(parts);
+    decode(last().search.causes());
+  }
+  rounds_.back()->search.findFirst(parts);
+  while (mayLose && rounds_.size() < mostRounds) {
+    const Explanation causes = last().search.causes();
+    // Without causes nothing was lost, as is known already.
+    if (causes.empty() && !lost_.any()) break;
+    if (!decode(causes)) break;
+    rounds_.back()->search.findFirst(parts);
+  }
+  rounds_.back()->search.finish(parts);
+}
+
+}  // namespace plumbline::gap
