@@ -40,6 +40,29 @@ TEST(CandidateScreening, ofAJointThatSticksFurtherStrengthsAreReplayed) {
   EXPECT_GT(proposals[0].cause.value, 0.6);
 }
 
+TEST(CandidateScreening, aLimitThatIsReachedInAFewMomentsIsProposed) {
+  // In each recording a jump and back, at which the elbow's motor falls short for some cycles.
+  const Mechanism arm = twoJointArm();
+  const Plant weak = plantOf(arm, {causeOfArm("torque_limit", "elbow", 0.55)});
+  std::vector<Trial> trials;
+  for (const double jump : {0.14, 0.15, 0.17}) {
+    Trial trial = armTrial(arm, 6, 0.05);
+    for (std::size_t k = 200; k < 400; ++k)
+      trial.command[0][k] = trial.command[1][k] = 0;  // instead of steps
+    for (std::size_t k = 300; k < 304; ++k) trial.command[1][k] = jump;
+    trial.recording = trial.name = "run" + std::to_string(trials.size());
+    trials.push_back(recorded(weak, trial, 5e-4, 3 + trials.size()));
+  }
+  const Groups groups(trials);
+  const Replayer replayer(arm, groups, 1);
+  const Shares shares = sharesOf(groups, replayer.residuals({}));
+  const std::vector<Proposal> proposals =
+      CandidateScreening(replayer, shares).propose(replayer, {}, shares, 3);
+  EXPECT_TRUE(std::ranges::any_of(proposals, [](const Proposal& proposal) {
+    return proposal.cause.effect->id == "torque_limit" && proposal.cause.place.at == "elbow";
+  }));
+}
+
 TEST(CandidateScreening, servesTheGroupsThatAreLeft) {
   // One screening of all recordings proposes for some of them: the first alone lacks the friction. Left
   // alone, that one is cut into stretches.

@@ -26,6 +26,7 @@ nlohmann::json furtherJson(const AllJointFit& further) {
 nlohmann::json setsAnswer(const Inference& inference, const AllJointFit& further, const AnswerInput& input,
                           const Evidence& evidence, const Mechanism& robot) {
   Evaluator evaluator(robot, evidence);
+  if (inference.lost.any()) evaluator.setLostCycles(inference.lost.cycles);
   nlohmann::json answer = nlohmann::json::parse(answerJson(input, inference.diagnosis, evaluator));
   answer["method"] = "sets";
   const std::string more = further.sentence();

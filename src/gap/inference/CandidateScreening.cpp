@@ -7,6 +7,7 @@
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/MostToGain.h"
 #include "gap/inference/PossibleKinds.h"
+#include "gap/inference/Score.h"
 #include "gap/inference/Strengths.h"
 #include "gap/inference/Visible.h"
 
@@ -48,6 +49,14 @@ struct CandidateScreening::Left {
     Split parts;
     std::vector<double> weights;  ///< of what varies; 0 where nothing was measured
     double scale = 0, density = 0, squares = 0, count = 0;
+    bool sparse = false;  ///< a few values alone are off, of which squares say nothing
+
+    /// Of log density, without a factor of a change.
+    double gain(const float* change, double factor) const {
+      std::vector<double> r = values;
+      for (std::size_t k = 0; k < r.size(); ++k) r[k] -= factor * static_cast<double>(change[k]);
+      return stretchDensity(split(r), cell.noise, share) - density;
+    }
   };
   std::vector<OfCell> cells;
   std::vector<std::vector<std::vector<std::size_t>>> at;  ///< cells per trial and signal
@@ -157,7 +166,8 @@ struct Sums {
   double share, count, least, squares;  ///< of the cell; least: (noise / scale)^2
   double product, changed;              ///< weighted sums of residual * change, change^2
   double noise, mean, changedMean;
-  double changedBy;  ///< root mean square of the change
+  double changedBy;                                     ///< root mean square of the change
+  std::function<double(double factor)> exactGain = {};  ///< where the sums do not tell it
 
   bool isVisible(double factor) const { return factor * changedBy > enginesDiffer * noise; }
 
@@ -165,6 +175,7 @@ struct Sums {
   /// of the mean square counts; once it is at the noise, the mean square itself. The part below the noise
   /// need not count.
   double gain(double factor, bool belowNoise) const {
+    if (exactGain) return exactGain(factor);
     const auto of = [&](double square) {
       if (square > least) return std::log(square);
       return std::log(least) + (belowNoise ? square / least - 1 : 0);
@@ -200,6 +211,7 @@ CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const 
       }
       sums.push_back({of.share, of.count, std::pow(of.cell.noise / of.scale, 2), of.squares, p, q,
                       of.cell.noise, of.parts.mean, mean, std::sqrt(squares / of.count + mean * mean)});
+      if (of.sparse) sums.back().exactGain = [&of, d](double factor) { return of.gain(d, factor); };
     }
   Guessed guessed;
   const auto tryFactor = [&](double factor) {
@@ -243,10 +255,7 @@ double CandidateScreening::gainOf(const Start& start, const Left& left, double s
   for (const Change& change : start.changes)
     for (const std::size_t c : left.at[change.trial][change.signal]) {
       const Left::OfCell& of = left.cells[c];
-      std::vector<double> r = of.values;
-      for (std::size_t k = 0; k < r.size(); ++k)
-        r[k] -= share * static_cast<double>(change.values[of.first + k]);
-      gain += stretchDensity(split(r), of.cell.noise, of.share) - of.density;
+      gain += of.gain(change.values.data() + of.first, share);
     }
   return gain;
 }
@@ -267,6 +276,8 @@ CandidateScreening::Left CandidateScreening::leftOf(const Groups& groups, const 
     of.parts = split(of.values);
     of.scale = likeliestScale(of.parts.about, cell.noise);
     of.density = stretchDensity(of.parts, cell.noise, of.share);
+    const MostOfCell most(of.parts, cell.noise, of.share);
+    of.sparse = most.isSparse && most.gain > priceOf(1, kinds_);
     for (const double r : of.parts.about) {
       const double w = std::isfinite(r) ? weightOf(r, of.scale) : 0;
       of.weights.push_back(w);

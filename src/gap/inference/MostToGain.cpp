@@ -14,6 +14,15 @@ constexpr double farBeyond = 3;  // times the noise: one of 400 normal values
 
 }  // namespace
 
+MostOfCell::MostOfCell(const Split& left, double noise, double share)
+    : isSparse(std::abs(left.mean) <= noise && likeliestScale(left.about, noise) <= noise) {
+  const double most = isSparse ? farBeyond * noise : 0;
+  Split nothing = left;
+  for (double& of : nothing.about) of = std::isfinite(of) ? std::clamp(of, -most, most) : of;
+  if (!isSparse) nothing.mean = 0;
+  gain = std::max(0.0, stretchDensity(nothing, noise, share) - stretchDensity(left, noise, share));
+}
+
 MostToGain::MostToGain(const Replayer& replayer, const Shares& shares, std::size_t kinds)
     : replayer_(replayer),
       price_(priceOf(1, kinds)),
@@ -22,16 +31,7 @@ MostToGain::MostToGain(const Replayer& replayer, const Shares& shares, std::size
   const Residuals nominal = replayer.residuals({});
   for (std::size_t c = 0; c < most_.size(); ++c) {
     const Cell& cell = replayer.groups().cells()[c];
-    const Split now = split(residualsOf(cell, nominal));
-    // If all in all no more than the noise is left, only what is far beyond it is a gap.
-    const bool atNoise =
-        std::abs(now.mean) <= cell.noise && likeliestScale(now.about, cell.noise) <= cell.noise;
-    const double most = atNoise ? farBeyond * cell.noise : 0;
-    Split nothing = now;
-    for (double& of : nothing.about) of = std::isfinite(of) ? std::clamp(of, -most, most) : of;
-    if (!atNoise) nothing.mean = 0;
-    most_[c] = std::max(
-        0.0, stretchDensity(nothing, cell.noise, shares[c]) - stretchDensity(now, cell.noise, shares[c]));
+    most_[c] = MostOfCell(split(residualsOf(cell, nominal)), cell.noise, shares[c]).gain;
   }
 }
 

@@ -6,6 +6,15 @@
 
 namespace plumbline::gap {
 
+/// The most that causes can gain of what is left in a cell. Of what is at the noise in all, only single
+/// values far beyond it can be gained.
+struct MostOfCell {
+  MostOfCell(const Split& left, double noise, double share);
+
+  double gain = 0;        ///< of log density
+  bool isSparse = false;  ///< at the noise in all
+};
+
 /// The most that causes can gain on top of a replayer's base: everything that is above the noise.
 class MostToGain {
 public:

@@ -34,6 +34,21 @@ TEST_F(SetsAnswerTest, saysWhatRecordingsLeftOutSay) {
   EXPECT_EQ(answer()["gap"]["left_out"], "stretches of the one recording");
 }
 
+TEST_F(SetsAnswerTest, showsTheRecordingWithTheCommandsThatItLost) {
+  const std::vector<Trial> trials = recordedTwice(nominalPlant(arm), 5e-4, 0.1);
+  std::vector<std::vector<SignalNoise>> noises(2, std::vector<SignalNoise>(2, {5e-4, 5e-4, false}));
+  const Evidence losing(trials, noises);
+  inference.lost = decodeLostCommands(trials, Groups(trials), {}, 1);
+  inference.diagnosis.findings.emplace_back().cause = CommandLosses::cause(inference.lost.share());
+  inference.diagnosis.findings[0].evidence = 1000;
+  const nlohmann::json said = setsAnswer(inference, {}, {"two_joint_arm", {{}, {}}, ""}, losing, arm);
+  ASSERT_EQ(said["per_signal"].size(), 2U);
+  for (const nlohmann::json& signal : said["per_signal"]) {
+    EXPECT_GT(signal["before"], 3e-3) << signal;
+    EXPECT_LT(signal["after"], 1.2e-3) << signal;
+  }
+}
+
 TEST_F(SetsAnswerTest, aFitOfAllJointsIsAttributedToNothing) {
   AllJointFit further;
   further.parameters = 66;

@@ -33,6 +33,21 @@ TEST(MostToGain, aMomentFarBeyondTheNoise) {
   EXPECT_EQ(trialsWorthLooking(trials, twoJointArm(), cause), std::vector<char>(3, 1));
 }
 
+TEST(MostOfCell, whatIsAtTheNoiseButForAFewValuesIsSparse) {
+  Random random(5);
+  std::vector<double> left;
+  for (int k = 0; k < 300; ++k) left.push_back(random.gaussian());
+  const MostOfCell noise(split(left), 1.2, 1);
+  EXPECT_TRUE(noise.isSparse);
+  EXPECT_LT(noise.gain, 2);
+  for (std::size_t k = 100; k < 108; ++k) left[k] += 20;
+  const MostOfCell few(split(left), 1.2, 1);
+  EXPECT_TRUE(few.isSparse);
+  EXPECT_GT(few.gain, 50);
+  for (double& value : left) value *= 3;
+  EXPECT_FALSE(MostOfCell(split(left), 1.2, 1).isSparse);
+}
+
 TEST(MostToGain, onTheFeetTheRecordingInWhichTheChainIsOffMost) {
   const Mechanism leg = legOnItsFoot();
   std::vector<Trial> trials = legRecordings({});
