@@ -11,8 +11,12 @@ namespace plumbline::gap {
 
 namespace {
 
+constexpr std::size_t mostSurvivors = 512;  // for time and memory: those of 39 cycles
+
 /// Of guesses that differ in so many cycles: a dozen of 6, most of the pairs of losses among more.
-std::size_t survivorsOf(std::size_t detectionCycles) { return detectionCycles * detectionCycles / 3; }
+std::size_t survivorsOf(std::size_t detectionCycles) {
+  return std::min(mostSurvivors, detectionCycles * detectionCycles / 3);
+}
 
 /// What may have happened up to now, and how well it explains what was measured.
 struct Guess {

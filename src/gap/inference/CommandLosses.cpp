@@ -100,7 +100,9 @@ double evidenceOf(const CommandLosses& lost, const Replayer& known, const Explan
   ReplayOptions asSent;
   asSent.asSent = true;
   const Replayer sent(known.mechanism(), groups, known.jobs(), asSent);
-  const Residuals left = known.residuals(causes), before = sent.residuals(causes);
+  std::vector<char> fixed;
+  for (const Trial& trial : groups.trials()) fixed.push_back(!trial.freeBase);
+  const Residuals left = known.residuals(causes, fixed), before = sent.residuals(causes, fixed);
   const Shares shares = sharesOfBoth(groups, left, before);
   const std::vector<double> with = densities(groups, left, shares),
                             without = densities(groups, before, shares);

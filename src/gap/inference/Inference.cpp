@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 #include <set>
 
 #include "gap/inference/JointValues.h"
@@ -106,9 +107,13 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
     for (const ChannelUse& use : uses) of.push_back({use.noise, use.noise, false});
   }
   Diagnosis& diagnosis = result.diagnosis;
-  ReplayOptions commandsAsSent;
-  commandsAsSent.asSent = true;
-  const Replayer asSent(robot, groups, options.jobs, commandsAsSent);
+  std::optional<Replayer> withoutLosses;
+  if (rounds.lost().any()) {
+    ReplayOptions commandsAsSent;
+    commandsAsSent.asSent = true;
+    withoutLosses.emplace(robot, groups, options.jobs, commandsAsSent);
+  }
+  const Replayer& asSent = withoutLosses ? *withoutLosses : replayer;
   const double nominal = positionsLeft(asSent, {}), all = positionsLeft(replayer, causes);
   for (const auto& stage : search.stages()) {
     for (Finding& finding : findingsOf(*stage)) {

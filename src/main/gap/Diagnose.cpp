@@ -171,7 +171,7 @@ void addDiagnose(CommandLine& app) {
   command
       .option("--method", options->method,
               "sets: sets of causes, judged on recordings left out; blocks: causes one at a time, judged on "
-              "half-seconds left out, lost commands among them [sets; blocks for a robot on its feet]")
+              "half-seconds left out [sets; blocks for a robot on its feet]")
       .oneOf({"blocks", "sets"});
   command
       .option("--seconds", options->seconds,
