@@ -3,6 +3,7 @@
 #include <utility>
 
 #include "gap/inference/PossibleKinds.h"
+#include "gap/inference/Unexplained.h"
 
 namespace plumbline::gap {
 
@@ -21,6 +22,12 @@ std::size_t SearchRounds::numAsked() const {
   std::size_t sum = 0;
   for (const auto& round : rounds_) sum += round->search.numAsked();
   return sum;
+}
+
+/// Whether the last round's causes leave no more than the noise.
+bool SearchRounds::explained() const {
+  const SearchStage& first = *last().search.stages().front();
+  return worstOf(first.replayer, first.best().causes()).share() <= 1;
 }
 
 /// Begins another round if these causes show other lost commands than are known.
@@ -69,8 +76,8 @@ void SearchRounds::run(StoredParts& parts) {
   rounds_.back()->search.findFirst(parts);
   while (mayLose && rounds_.size() < mostRounds) {
     const Explanation causes = last().search.causes();
-    // Without causes nothing was lost, as is known already.
-    if (causes.empty() && !lost_.any()) break;
+    // Without causes nothing was lost, as is known already. Nor is anything looked for where nothing is left.
+    if (!lost_.any() && (causes.empty() || (explained() && !repeatsDiffer(sent())))) break;
     if (!decode(causes)) break;
     rounds_.back()->search.findFirst(parts);
   }

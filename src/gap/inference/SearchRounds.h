@@ -42,6 +42,7 @@ public:
   std::size_t numAsked() const;  ///< see Replayer
 
 private:
+  bool explained() const;
   bool decode(const Explanation& causes);
   void begin(const CommandLosses& lost, const Explanation& causes);
 
