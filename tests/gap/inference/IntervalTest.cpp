@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "../ThreeRecordings.h"
@@ -49,6 +50,36 @@ TEST(Interval, holdsTheTruthWhereTheModelLacksSomething) {
     EXPECT_GT(found.width(), 2 * alone) << describe(lacking);
     EXPECT_LT(found.width(), 1.5) << describe(lacking);
   }
+}
+
+TEST(Interval, endsWhereTheDensityHasFallenByHalfTheQuantileOfChiSquare) {
+  const Cause cause = causeOfArm("viscous_friction", "shoulder", friction);
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({cause}));
+  const Replayer replayer(arm, groups, 1);
+  Scored scored = score(replayer, sharesOf(groups, replayer.residuals({cause})), {cause}, 20, 12);
+  std::ranges::fill(scored.without, scored.causes());  // as if the groups agreed
+  const Bounds interval = intervalsOf(replayer, scored).front();
+  const Shares shares = sharesOf(groups, replayer.residuals(scored.causes()));
+  for (const double end : {interval.lower, interval.upper}) {
+    const Explanation there{causeOfArm("viscous_friction", "shoulder", end)};
+    const double fall = densityOn(replayer, shares, scored.causes()) - densityOn(replayer, shares, there);
+    // 3.84 / 2, and the end is known to a tenth.
+    EXPECT_GT(fall, 1.92 / 1.21) << end;
+    EXPECT_LT(fall, 1.92 * 1.21) << end;
+  }
+}
+
+TEST(Interval, ofAValueThatNothingShowsEndsAtTheMost) {
+  // 1.96 times a standard deviation of 2 in the logarithm; a friction that is smaller is none at all.
+  const double value = 4e-6;
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({}));
+  const Replayer replayer(arm, groups, 1);
+  Scored scored;
+  scored.fitted.causes = {causeOfArm("viscous_friction", "shoulder", value)};
+  scored.without.assign(groups.count(), scored.causes());
+  EXPECT_NEAR(std::log(intervalsOf(replayer, scored).front().upper / value), 1.96 * 2, 0.01);
 }
 
 TEST(Interval, thereIsNoneWithoutCauses) {
