@@ -119,12 +119,7 @@ TEST_F(InferenceResumeTest, withOneRecordingThatIsCutIntoStretches) {
 TEST_F(InferenceResumeTest, withLostCommandsThatAnotherCauseHides) {
   // A quick search finds the delay. Then the losses are decoded and searched with, until they stay: three
   // searches. At last without each motion.
-  const Plant late = plantOf(robot, {causeOfArm("command_delay", "*", 0.03)});
-  std::vector<Trial> trials = recordedTwice(late, 5e-4, 0.1, armTrial(robot, 3));
-  for (std::size_t t = 0; t < trials.size(); ++t) trials[t].recording = "run" + std::to_string(t);
-  trials.push_back(recordedTwice(late, 5e-4, 0.1, armTrial(robot, 3, 0.3))[1]);
-  trials.back().recording = "smaller";
-  expectTheSameAfterKills(trials, 6);
+  expectTheSameAfterKills(recordingsWithLosses({causeOfArm("command_delay", "*", 0.03)}, 3), 6);
 }
 
 TEST_F(InferenceResumeTest, withRecordingsHungUpAndOnTheFoot) {

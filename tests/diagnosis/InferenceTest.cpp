@@ -99,12 +99,7 @@ TEST(Inference, aGainIsSeparatedFromAFrictionByTheDuty) {
 
 TEST(Inference, commandsThatWereLostAreFoundBesideAnotherCause) {
   const Cause friction = causeOfArm("coulomb_friction", "elbow", 0.15);
-  std::vector<Trial> trials = recordedTwice(plantOf(twoJointArm(), {friction}), 5e-4, 0.1);
-  for (std::size_t t = 0; t < trials.size(); ++t) trials[t].recording = "run" + std::to_string(t);
-  trials.push_back(
-      recordedTwice(plantOf(twoJointArm(), {friction}), 5e-4, 0.1, armTrial(twoJointArm(), 6, 0.3))[1]);
-  trials.back().recording = "smaller";
-  const Inference found = infer(twoJointArm(), trials, {});
+  const Inference found = infer(twoJointArm(), recordingsWithLosses({friction}, 6), {});
   EXPECT_EQ(found.diagnosis.verdict, Verdict::effect);
   ASSERT_EQ(found.diagnosis.findings.size(), 2U);
   EXPECT_EQ(found.diagnosis.findings[1].cause.effect->id, "command_dropout");

@@ -12,14 +12,6 @@
 namespace plumbline::gap {
 namespace {
 
-/// That share of 600 cycles, at random.
-std::vector<std::uint8_t> someLost(double share, std::uint64_t seed) {
-  Random random(seed);
-  std::vector<std::uint8_t> lost(600, 0);
-  for (auto& cycle : lost) cycle = random.uniform() < share;
-  return lost;
-}
-
 TEST(LostCyclesTest, noneWhereAnotherEffectMakesTheJointsLate) {
   // Each of them leaves more than thirty times the noise; all commands were acted on.
   for (const auto& [id, place, value] :
@@ -36,7 +28,7 @@ TEST(LostCyclesTest, noneWhereAnotherEffectMakesTheJointsLate) {
 
 TEST(LostCyclesTest, thoseThatWereLostExplainTheRecording) {
   for (const std::uint64_t seed : {1, 2, 3}) {
-    const std::vector<std::uint8_t> lost = someLost(0.12, seed);
+    const std::vector<std::uint8_t> lost = drawnLosses(600, 0.12, seed);
     const Evidence evidence = recordedWithout(lost);
     const LostCycles found = findLostCycles(evidence, {}, 1);
     EXPECT_NEAR(found.share, 0.12, 0.04) << seed;

@@ -16,4 +16,15 @@ inline std::vector<Trial> recordings(const Explanation& causes, double seconds =
   return trials;
 }
 
+/// A motion of the arm with the causes in, recorded twice, and a smaller one; a tenth of the commands is
+/// lost.
+inline std::vector<Trial> recordingsWithLosses(const Explanation& causes, double seconds) {
+  const Mechanism arm = twoJointArm();
+  const Plant plant = plantOf(arm, causes);
+  std::vector<Trial> trials = recordedTwice(plant, 5e-4, 0.1, armTrial(arm, seconds));
+  trials.push_back(recordedTwice(plant, 5e-4, 0.1, armTrial(arm, seconds, 0.3))[1]);
+  trials.back().recording = "smaller";
+  return trials;
+}
+
 }  // namespace plumbline::gap

@@ -99,19 +99,26 @@ inline Trial recorded(const Plant& plant, Trial trial, double noise, std::uint64
   return trial;
 }
 
+/// Of so many cycles: whether a command was lost, each with that probability.
+inline std::vector<std::uint8_t> drawnLosses(std::size_t cycles, double share, std::uint64_t seed) {
+  Random random(seed);
+  std::vector<std::uint8_t> lost(cycles, 0);
+  for (auto& cycle : lost) cycle = random.uniform() < share;
+  return lost;
+}
+
 /// A motion, six seconds of the arm's, recorded twice, each time with another such share of the commands
 /// lost.
 inline std::vector<Trial> recordedTwice(const Plant& plant, double noise, double lostShare,
                                         const Trial& motion = armTrial(twoJointArm(), 6)) {
   std::vector<Trial> trials;
   for (const std::uint64_t seed : {11, 12}) {
-    Random random(seed);
-    std::vector<std::uint8_t> lost(motion.cycles(), 0);
-    for (auto& cycle : lost) cycle = random.uniform() < lostShare;
+    const std::vector<std::uint8_t> lost = drawnLosses(motion.cycles(), lostShare, seed);
     ReplayOptions options;
     options.lostCycles = &lost;
     trials.push_back(recorded(plant, motion, noise, seed, options));
   }
+  for (std::size_t t = 0; t < trials.size(); ++t) trials[t].recording = "run" + std::to_string(t);
   return trials;
 }
 

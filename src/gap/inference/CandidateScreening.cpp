@@ -218,8 +218,9 @@ CandidateScreening::Guessed CandidateScreening::guess(const Start& start, const 
     if (std::ranges::none_of(sums, [&](const Sums& of) { return of.isVisible(factor); })) return;
     Guessed other{0, 0, factor};
     for (const Sums& of : sums) {
-      other.gain += of.gain(factor, true);
-      other.toNoise += of.gain(factor, false);
+      const double gain = of.gain(factor, true);
+      other.gain += gain;
+      other.toNoise += of.exactGain ? gain : of.gain(factor, false);
     }
     if (other.gain > guessed.gain) guessed = other;
   };
@@ -274,10 +275,11 @@ CandidateScreening::Left CandidateScreening::leftOf(const Groups& groups, const 
     of.share = shares[c] * static_cast<double>(n);
     of.values = thinned(*residuals[cell.trial][cell.signal], cell.from, cell.to, n);
     of.parts = split(of.values);
-    of.scale = likeliestScale(of.parts.about, cell.noise);
-    of.density = stretchDensity(of.parts, cell.noise, of.share);
-    const MostOfCell most(of.parts, cell.noise, of.share);
-    of.sparse = most.isSparse && most.gain > priceOf(1, kinds_);
+    const StretchFit fit = fitStretch(of.parts, cell.noise);
+    of.scale = fit.scale;
+    of.density = fit.density(of.share);
+    const MostOfCell most(of.parts, fit, of.share);
+    of.sparse = most.isAtNoise && most.gain > priceOf(1, kinds_);
     for (const double r : of.parts.about) {
       const double w = std::isfinite(r) ? weightOf(r, of.scale) : 0;
       of.weights.push_back(w);

@@ -82,7 +82,7 @@ CommandLosses decodeLostCommands(const std::vector<Trial>& sent, const Groups& g
 }
 
 std::vector<Trial> withLost(std::vector<Trial> trials, const CommandLosses& lost) {
-  for (std::size_t t = 0; t < lost.cycles.size(); ++t) trials[t].lost = lost.cycles[t];
+  for (std::size_t t = 0; t < trials.size(); ++t) trials[t].lost = lost.cycles[t];
   return trials;
 }
 

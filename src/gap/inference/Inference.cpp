@@ -147,29 +147,31 @@ Inference infer(const Mechanism& robot, std::vector<Trial> trials, const Inferen
   // If the causes explain everything, their values are right.
   if (diagnosis.verdict == Verdict::unknown && fixedBase && differsByJoint(robot, causes)) {
     const Replayer& quick = search.coarse() ? *search.coarse() : replayer;
-    const std::string fits = "values in each joint";
+    const std::string inEachJoint = "values in each joint";
     const auto reportFits = [&](std::size_t done) {
-      report(fits.c_str(), static_cast<double>(done) / static_cast<double>(without.size() + 1));
+      report(inEachJoint.c_str(), static_cast<double>(done) / static_cast<double>(without.size() + 1));
     };
     for (std::size_t g = 0; g < without.size(); ++g) {
       reportFits(g);
       const Groups others = groups.without(g);
-      without[g].causes = parts.values(
-          fits + nameWithout(g), [&] { return withJointValues(Replayer(quick, others), without[g].causes); });
+      without[g].causes = parts.values(inEachJoint + nameWithout(g), [&] {
+        return withJointValues(Replayer(quick, others), without[g].causes);
+      });
     }
     reportFits(without.size());
-    diagnosis.jointValues = parts.values(fits, [&] { return withJointValues(quick, causes); });
+    diagnosis.jointValues = parts.values(inEachJoint, [&] { return withJointValues(quick, causes); });
   }
   report("recordings left out", 0);
-  addLost(result.lost, groups, without);
-  Explanation& inEachJoint = diagnosis.jointValues;
-  if (result.lost.any() && !inEachJoint.empty())
-    inEachJoint.push_back(CommandLosses::cause(result.lost.share()));
+  Explanation model = diagnosis.jointValues.empty() ? causes : diagnosis.jointValues;
+  if (result.lost.any()) {
+    addLost(result.lost, groups, without);
+    model.push_back(CommandLosses::cause(result.lost.share()));
+    if (!diagnosis.jointValues.empty()) diagnosis.jointValues = model;
+  }
   for (const FoundWithout& of : without) result.foundWithout.push_back(of.causes);
   result.leftOut = leftWithout(rounds.sent(), without);
-  result.claim = claimOf(
-      closedPerGroup(result.leftOut, groupsOfRecordings(groups)),
-      leaveOutBias(rounds.sent(), inEachJoint.empty() ? diagnosis.explanation() : inEachJoint, without));
+  result.claim = claimOf(closedPerGroup(result.leftOut, groupsOfRecordings(groups)),
+                         leaveOutBias(rounds.sent(), model, without));
   double squaresBefore = 0, squaresAfter = 0, squaresFloor = 0;
   const auto count = static_cast<double>(result.leftOut.size());
   for (const RecordingLeft& recording : result.leftOut) {

@@ -14,13 +14,13 @@ constexpr double farBeyond = 3;  // times the noise: one of 400 normal values
 
 }  // namespace
 
-MostOfCell::MostOfCell(const Split& left, double noise, double share)
-    : isSparse(std::abs(left.mean) <= noise && likeliestScale(left.about, noise) <= noise) {
-  const double most = isSparse ? farBeyond * noise : 0;
+MostOfCell::MostOfCell(const Split& left, const StretchFit& fit, double share)
+    : isAtNoise(std::abs(left.mean) <= fit.noise && fit.scale <= fit.noise) {
+  const double most = isAtNoise ? farBeyond * fit.noise : 0;
   Split nothing = left;
   for (double& of : nothing.about) of = std::isfinite(of) ? std::clamp(of, -most, most) : of;
-  if (!isSparse) nothing.mean = 0;
-  gain = std::max(0.0, stretchDensity(nothing, noise, share) - stretchDensity(left, noise, share));
+  if (!isAtNoise) nothing.mean = 0;
+  gain = std::max(0.0, stretchDensity(nothing, fit.noise, share) - fit.density(share));
 }
 
 MostToGain::MostToGain(const Replayer& replayer, const Shares& shares, std::size_t kinds)
@@ -31,7 +31,8 @@ MostToGain::MostToGain(const Replayer& replayer, const Shares& shares, std::size
   const Residuals nominal = replayer.residuals({});
   for (std::size_t c = 0; c < most_.size(); ++c) {
     const Cell& cell = replayer.groups().cells()[c];
-    most_[c] = MostOfCell(split(residualsOf(cell, nominal)), cell.noise, shares[c]).gain;
+    const Split left = split(residualsOf(cell, nominal));
+    most_[c] = MostOfCell(left, fitStretch(left, cell.noise), shares[c]).gain;
   }
 }
 

@@ -9,10 +9,11 @@ namespace plumbline::gap {
 /// The most that causes can gain of what is left in a cell. Of what is at the noise in all, only single
 /// values far beyond it can be gained.
 struct MostOfCell {
-  MostOfCell(const Split& left, double noise, double share);
+  /// fit: of what is left.
+  MostOfCell(const Split& left, const StretchFit& fit, double share);
 
-  double gain = 0;        ///< of log density
-  bool isSparse = false;  ///< at the noise in all
+  bool isAtNoise = false;  ///< in all
+  double gain = 0;         ///< of log density
 };
 
 /// The most that causes can gain on top of a replayer's base: everything that is above the noise.

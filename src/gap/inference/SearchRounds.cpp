@@ -15,7 +15,7 @@ constexpr std::size_t mostRounds = 4;  // of decoding and search
 
 SearchRounds::SearchRounds(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options)
     : robot_(robot), options_(options) {
-  rounds_.push_back(std::make_unique<SearchRound>(robot, std::move(trials), options));
+  rounds_.push_back(std::make_unique<SearchRound>(robot, Groups(std::move(trials)), options));
 }
 
 std::size_t SearchRounds::numAsked() const {
@@ -37,33 +37,33 @@ bool SearchRounds::decode(const Explanation& causes) {
   CommandLosses lost = decodeLostCommands(trials, last().groups, causes, options_.jobs);
   if (lost.any()) {
     const std::vector<Trial> known = withLost(trials, lost);
-    const Groups groups(known, predictionsOf(known, causes, options_.jobs));
+    const std::vector<Prediction> predicted = predictionsOf(known, causes, options_.jobs);
+    Groups groups(known, predicted);
     lost.evidence = evidenceOf(lost, Replayer(robot_, groups, options_.jobs), causes,
                                possibleKinds(groups, robot_).size());
+    if (lost.evidence > 0 && lost.cycles == lost_.cycles) {
+      lost_.evidence = lost.evidence;
+      return false;
+    }
+    if (lost.evidence > 0) {
+      begin(std::move(lost), std::move(groups), predicted);
+      return true;
+    }
   }
-  if (!(lost.evidence > 0)) lost = {};
-  if (lost.cycles == lost_.cycles) {
-    lost_.evidence = lost.evidence;
-    return false;
-  }
-  begin(lost, causes);
+  if (!lost_.any()) return false;
+  begin({}, sent(), {});
   return true;
 }
 
-void SearchRounds::begin(const CommandLosses& lost, const Explanation& causes) {
+void SearchRounds::begin(CommandLosses lost, Groups groups, const std::vector<Prediction>& predicted) {
   const std::string name = ", commands lost " + std::to_string(rounds_.size());
   // From round to round few of many lost commands change.
   StagedSearch* const alike = lost_.any() && lost.any() ? &rounds_.back()->search : nullptr;
-  lost_ = lost;
-  std::vector<Trial> known = withLost(sent().trials(), lost);
-  std::vector<Prediction> predicted;
   Explanation onFeet;
-  if (lost.any()) {
-    predicted = predictionsOf(known, causes, options_.jobs);
-    onFeet.push_back(CommandLosses::cause(lost.share()));
-  }
+  if (lost.any()) onFeet.push_back(CommandLosses::cause(lost.share()));
+  lost_ = std::move(lost);
   rounds_.push_back(
-      std::make_unique<SearchRound>(robot_, std::move(known), options_, predicted, onFeet, name, alike));
+      std::make_unique<SearchRound>(robot_, std::move(groups), options_, predicted, onFeet, name, alike));
 }
 
 void SearchRounds::run(StoredParts& parts) {

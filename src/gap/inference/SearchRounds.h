@@ -11,12 +11,12 @@ namespace plumbline::gap {
 /// A search for sets of causes with what is known of lost commands. Not copied: its members refer to each
 /// other.
 struct SearchRound {
-  /// predicted: see Groups. onFeet: what recordings on the feet have with every hypothesis. alike: see
+  /// predicted: of the groups. onFeet: what recordings on the feet have with every hypothesis. alike: see
   /// StagedSearch.
-  SearchRound(const Mechanism& robot, std::vector<Trial> trials, const InferenceOptions& options,
+  SearchRound(const Mechanism& robot, Groups judging, const InferenceOptions& options,
               const std::vector<Prediction>& predicted = {}, const Explanation& onFeet = {},
               const std::string& name = "", StagedSearch* alike = nullptr)
-      : groups(std::move(trials), predicted),
+      : groups(std::move(judging)),
         replayer(robot, groups, options.jobs, {}, onFeet),
         search(replayer, options, predicted, name, alike) {}
   SearchRound(const SearchRound&) = delete;
@@ -44,7 +44,7 @@ public:
 private:
   bool explained() const;
   bool decode(const Explanation& causes);
-  void begin(const CommandLosses& lost, const Explanation& causes);
+  void begin(CommandLosses lost, Groups groups, const std::vector<Prediction>& predicted);
 
   const Mechanism& robot_;
   const InferenceOptions& options_;

@@ -22,7 +22,7 @@ public:
   double over(double from, double to);
   /// The command that the servo follows at the end of the last queried interval [rad].
   double atEnd() const { return end_; }
-  /// Changes which cycles' commands are lost from now on; null: none.
+  /// Changes which cycles' commands are lost from now on; null: unknown.
   void lose(const std::vector<std::uint8_t>* lostCycles) { lost_ = lostCycles; }
   double stiffness() const { return stiff_; }        ///< at the end of the last queried interval
   double voltage() const { return volts_; }          ///< measured supply then; 0: not measured

@@ -50,6 +50,7 @@ bool asked(int joint, const Trial& trial, const ReplayOptions& options) {
          std::ranges::find(options.joints, joint) != options.joints.end();
 }
 
+/// Which cycles' commands are known to be lost; null: that is unknown.
 const std::vector<std::uint8_t>* lostIn(const Trial& trial, const ReplayOptions& options) {
   if (options.lostCycles) return options.lostCycles;
   return options.asSent || trial.lost.empty() ? nullptr : &trial.lost;

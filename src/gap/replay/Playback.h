@@ -30,7 +30,7 @@ public:
   /// The last cycle that ends within one step from this one's begin: of a log that is faster than the
   /// integrator. The cycle itself where efforts or the body are read, or the state is put in.
   std::size_t lastInStep(std::size_t cycle) const;
-  /// Changes which cycles' commands are lost from now on; the list must outlive this object. Null: none.
+  /// Changes which cycles' commands are lost from now on; the list must outlive this object. Null: unknown.
   void lose(const std::vector<std::uint8_t>* lostCycles) { stepper_.lose(lostCycles); }
 
   bool reads(std::size_t signal) const;  ///< of the joints that are played

@@ -22,7 +22,7 @@ class Stepper {
 public:
   Stepper(const Plant& plant, const Trial& trial, const std::vector<int>& joints,
           const std::vector<std::uint8_t>* lostCycles);
-  /// Changes which cycles' commands are lost from now on; the list must outlive this object. Null: none.
+  /// Changes which cycles' commands are lost from now on; the list must outlive this object. Null: unknown.
   void lose(const std::vector<std::uint8_t>* lostCycles);
 
   /// Sets the joints to their measured positions and the body so that the foot with the largest load is flat

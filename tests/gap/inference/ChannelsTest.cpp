@@ -114,9 +114,7 @@ TEST(Channels, whatAModelPredictsOfADifferenceBetweenRepeatsIsNoNoise) {
   EXPECT_GT(channelUses(trials)[0][0].noise, 5e-3);
   std::vector<Prediction> predicted;
   for (const std::uint64_t seed : {11, 12}) {  // of recordedTwice
-    Random random(seed);
-    std::vector<std::uint8_t> lost(trials[0].cycles(), 0);
-    for (auto& cycle : lost) cycle = random.uniform() < 0.2;
+    const std::vector<std::uint8_t> lost = drawnLosses(trials[0].cycles(), 0.2, seed);
     ReplayOptions options;
     options.lostCycles = &lost;
     predicted.push_back(replay(plant, trials[0], options));

@@ -10,9 +10,7 @@ namespace {
 class CommandLossesTest : public ::testing::Test {
 protected:
   static std::vector<Trial> repeats(double share) {
-    std::vector<Trial> trials = recordedTwice(nominalPlant(twoJointArm()), 5e-4, share);
-    for (std::size_t t = 0; t < trials.size(); ++t) trials[t].recording = "run" + std::to_string(t);
-    return trials;
+    return recordedTwice(nominalPlant(twoJointArm()), 5e-4, share);
   }
 };
 
@@ -30,7 +28,6 @@ TEST_F(CommandLossesTest, theIntervalIsWilsons) {
   CommandLosses lost;
   lost.seen = {100};
   lost.found = {10};
-
   EXPECT_NEAR(lost.interval().lower, 0.0552, 1e-4);
   EXPECT_NEAR(lost.interval().upper, 0.1744, 1e-4);
 }

@@ -18,6 +18,8 @@ std::vector<char> trialsWorthLooking(const std::vector<Trial>& trials, const Mec
   return MostToGain(replayer, sharesOf(groups, replayer.residuals({})), 100).trialsFor(cause);
 }
 
+MostOfCell mostOf(const std::vector<double>& left) { return {split(left), fitStretch(split(left), 1.2), 1}; }
+
 }  // namespace
 
 TEST(MostToGain, nothingWhereNothingIsLeft) {
@@ -33,19 +35,19 @@ TEST(MostToGain, aMomentFarBeyondTheNoise) {
   EXPECT_EQ(trialsWorthLooking(trials, twoJointArm(), cause), std::vector<char>(3, 1));
 }
 
-TEST(MostOfCell, whatIsAtTheNoiseButForAFewValuesIsSparse) {
+TEST(MostOfCell, ofWhatIsAtTheNoiseAFewValuesFarBeyondCanBeGained) {
   Random random(5);
   std::vector<double> left;
   for (int k = 0; k < 300; ++k) left.push_back(random.gaussian());
-  const MostOfCell noise(split(left), 1.2, 1);
-  EXPECT_TRUE(noise.isSparse);
+  const MostOfCell noise = mostOf(left);
+  EXPECT_TRUE(noise.isAtNoise);
   EXPECT_LT(noise.gain, 2);
   for (std::size_t k = 100; k < 108; ++k) left[k] += 20;
-  const MostOfCell few(split(left), 1.2, 1);
-  EXPECT_TRUE(few.isSparse);
+  const MostOfCell few = mostOf(left);
+  EXPECT_TRUE(few.isAtNoise);
   EXPECT_GT(few.gain, 50);
   for (double& value : left) value *= 3;
-  EXPECT_FALSE(MostOfCell(split(left), 1.2, 1).isSparse);
+  EXPECT_FALSE(mostOf(left).isAtNoise);
 }
 
 TEST(MostToGain, onTheFeetTheRecordingInWhichTheChainIsOffMost) {
