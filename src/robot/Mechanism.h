@@ -29,6 +29,9 @@ struct Servo {
   double errorGain = 0;   ///< share of the supply per rad and unit of kpFirmware
   double kpFirmware = 0;  ///< gain in the firmware's own unit
   double maxPwm = 0;      ///< largest share of the supply, 0..1
+  /// Follows torques that are sent, by a loop about its current, and no positions. Of a recording, not of a
+  /// robot's file.
+  bool followsTorque = false;
 
   bool operator==(const Servo&) const = default;
 };

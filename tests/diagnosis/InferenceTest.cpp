@@ -70,6 +70,27 @@ TEST(Inference, commandsThatTheServoTakesInStepsAreOutsideTheLibrary) {
   EXPECT_EQ(infer(arm, std::move(trials), {}).diagnosis.verdict, Verdict::unknown);
 }
 
+TEST(Inference, aMotorThatIsSentTorquesShowsItsFriction) {
+  // Positions were never commanded, so the motions differ in nothing but torques, and are no repeats.
+  Mechanism pendulum = findMechanism("xl330_pendulum");
+  pendulum.joints[0].servo.followsTorque = true;
+  const Plant reality = plantOf(pendulum, {causeOf(pendulum, "coulomb_friction", "pendulum", 0.05)});
+  std::vector<Trial> trials;
+  for (const double rate : {2.0, 3.1}) {
+    Trial trial = armTrial(pendulum, 6, 0);
+    trial.commandTorque.resize(1);
+    for (const double t : trial.time)
+      trial.commandTorque[0].push_back(0.25 * std::sin(rate * t) + 0.1 * std::sin(2.6 * rate * t));
+    trial.recording = trial.name = "run" + std::to_string(trials.size());
+    trials.push_back(recorded(reality, trial, 5e-4, 3 + trials.size()));
+  }
+  const Inference found = infer(pendulum, std::move(trials), {});
+  ASSERT_EQ(found.diagnosis.findings.size(), 1) << found.sentence();
+  EXPECT_EQ(found.diagnosis.findings[0].cause.effect->id, "coulomb_friction");
+  EXPECT_NEAR(found.diagnosis.findings[0].cause.value, 0.05, 0.002);
+  EXPECT_EQ(found.diagnosis.verdict, Verdict::effect);
+}
+
 TEST(Inference, sameAnswerWithAnyNumberOfThreads) {
   const Mechanism arm = twoJointArm();
   const std::vector<Trial> trials = recordings({causeOfArm("backlash", "shoulder", 0.03)}, 3);

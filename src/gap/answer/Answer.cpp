@@ -270,7 +270,7 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
                               {"measured", number(b.measured)},
                               {"nominal", number(b.nominal)},
                               {"corrected", number(b.corrected)}});
-  j["remarks"] = json::array();
+  j["remarks"] = input.remarks;
   j["runs"] = json::array();
   for (const RunNotes& run : input.runs) {
     json left = json::array();

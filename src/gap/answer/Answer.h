@@ -22,6 +22,7 @@ struct AnswerInput {
   std::string robot;
   std::vector<RunNotes> runs;
   std::string nextMotion;
+  std::vector<std::string> remarks = {};
 };
 
 /// A cause with its value, as answers list it.

@@ -47,8 +47,8 @@ public:
   void add(const Pose3& pose) { add(Eigen::Matrix4d(pose.matrix())); }
 
   void add(const Servo& servo) {
-    const auto& [model, kp, kd, armature, kt, R, vin, errorGain, kpFirmware, maxPwm] = servo;
-    all(model, kp, kd, armature, kt, R, vin, errorGain, kpFirmware, maxPwm);
+    const auto& [model, kp, kd, armature, kt, R, vin, errorGain, kpFirmware, maxPwm, followsTorque] = servo;
+    all(model, kp, kd, armature, kt, R, vin, errorGain, kpFirmware, maxPwm, followsTorque);
   }
   void add(const Mechanism::Link& link) {
     const auto& [name, parent, mass, com, inertia, shape, collides] = link;
@@ -101,10 +101,10 @@ public:
   void add(const Trial& trial) {
     const auto& [name, recording, motion, recordedMotion, robot, freeBase, heading, time, command, followed,
                  commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt,
-                 velocityAt, signals, notPredicted, restarts, lost, betweenSteps] = trial;
+                 velocityAt, effortAt, signals, unused, restarts, lost, betweenSteps] = trial;
     all(name, recording, motion, recordedMotion, *robot, freeBase, heading, time, command, followed,
         commandSpeed, commandTorque, linearCommands, stiffness, voltage, commandAt, positionAt, velocityAt,
-        signals, notPredicted, restarts, lost, betweenSteps);
+        effortAt, signals, unused, restarts, lost, betweenSteps);
   }
   /// The program's file, which every change of the sources changes.
   void addProgram();

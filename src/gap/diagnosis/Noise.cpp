@@ -15,6 +15,7 @@ namespace {
 
 constexpr double headingWithin = 0.01;   // [rad]
 constexpr double commandWithin = 1e-3;   // [rad], root mean square
+constexpr double sentWithin = 1e-3;      // of the root mean square of speeds or torques
 constexpr double followedWithin = 0.01;  // [rad]: far more than encoders err, far less than a hand
 
 double differenceOf(const std::vector<double>& a, const std::vector<double>& b) {
@@ -34,6 +35,18 @@ bool sameTimes(const Trial& a, const Trial& b) {
   if (n * 10 < std::max(a.cycles(), b.cycles()) * 9) return false;
   for (std::size_t k = 0; k < n; ++k)
     if (std::abs((a.time[k] - a.time[0]) - (b.time[k] - b.time[0])) > 2e-3) return false;
+  return true;
+}
+
+/// Whether commands are the same but for a share of their size, or neither trial has any. What a loop outside
+/// of the servo sends follows the readings, so it differs from repeat to repeat.
+bool sameSent(const std::vector<std::vector<double>>& a, const std::vector<std::vector<double>>& b) {
+  for (std::size_t j = 0; j < std::max(a.size(), b.size()); ++j) {
+    const bool inA = j < a.size() && !a[j].empty(), inB = j < b.size() && !b[j].empty();
+    if (inA != inB) return false;
+    if (inA && differenceOf(a[j], b[j]) > sentWithin * differenceOf(a[j], std::vector(a[j].size(), 0.0)))
+      return false;
+  }
   return true;
 }
 
@@ -92,7 +105,9 @@ bool isRepeat(const Trial& a, const Trial& b) {
   if (a.freeBase != b.freeBase ||
       std::abs(std::remainder(a.heading - b.heading, 2 * std::numbers::pi)) > headingWithin)
     return false;
-  if (!sameTimes(a, b)) return false;
+  if (!sameTimes(a, b) || !sameSent(a.commandSpeed, b.commandSpeed) ||
+      !sameSent(a.commandTorque, b.commandTorque))
+    return false;
   for (std::size_t j = 0; j < a.command.size(); ++j)
     if (differenceOf(a.command[j], b.command[j]) > commandWithin ||
         differenceOf(a.targets(j), b.targets(j)) > followedWithin)

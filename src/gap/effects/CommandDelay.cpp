@@ -28,6 +28,7 @@ const Effect commandDelay{
     .upper = 0.2,
     .starts = {0.002, 0.01, 0.03},
     .linear = true,
+    .delaysCommands = true,
     .sentence = "Commands reach {at} later than the model says.",
     .exposedBy = "fast moves and steps",
     .apply = [](Plant& plant, const Place& place, double value,

@@ -62,6 +62,7 @@ const Effect commandLag{
     .starts = {0.005, 0.02, 0.06},
     .linear = true,
     .ofServo = true,
+    .delaysCommands = true,
     .sentence = "The servo of {at} smooths its commands: it follows them through a filter.",
     .exposedBy = "steps and fast moves",
     .apply = [](Plant& plant, const Place& place, double value,

@@ -81,6 +81,8 @@ struct Effect {
   bool ofServo = false;
   /// Its times matter and are decoded from a recording; the value is then counted, not fitted.
   bool decoded = false;
+  /// Commands come into force later: what lost commands do on average.
+  bool delaysCommands = false;
   /// Can be set in a servo: recordings of one robot may have been made with and without it.
   bool setting = false;
   /// The difference between engines with the same value looks like a value that is off by up to this share of

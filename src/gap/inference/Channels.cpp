@@ -134,6 +134,7 @@ std::string whyNot(const Trial& trial, const Signal& signal) {
       const auto joint = static_cast<std::size_t>(signal.joint);
       if (trial.robot->joints[joint].servo.model != Servo::Model::dcMotor)
         return "the robot's file gives no law of the servo's duty";
+      if (trial.robot->joints[joint].servo.followsTorque) return "the motor was sent no positions";
       return "";
     }
     case SignalKind::truth:

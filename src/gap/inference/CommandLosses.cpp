@@ -6,6 +6,8 @@
 
 #include "framework/Parallel.h"
 #include "gap/diagnosis/LostCycles.h"
+#include "gap/inference/Density.h"
+#include "gap/inference/Likelihood.h"
 #include "gap/inference/Score.h"
 #include "gap/inference/Unexplained.h"
 #include "math/WilsonInterval.h"
@@ -25,6 +27,27 @@ std::size_t sumOf(const std::vector<std::size_t>& counts, const std::vector<char
 /// to 1 as likely: B(lost + 1, seen - lost + 1).
 double priceOfCycles(double lost, double seen) {
   return std::lgamma(seen + 2) - std::lgamma(lost + 1) - std::lgamma(seen - lost + 1);
+}
+
+/// What residuals gain in log density over others that are slower, as those of lost commands are. The slow
+/// part of n residuals is n / T independent values with T times their variance. T is the longer of the two
+/// correlation times. With equal ones this is the difference of densities().
+double gainOver(const Groups& groups, const Residuals& left, const Residuals& before) {
+  const Shares sharesLeft = sharesOf(groups, left), sharesBefore = sharesOf(groups, before);
+  double gain = 0;
+  for (std::size_t c = 0; c < groups.cells().size(); ++c) {
+    const Cell& cell = groups.cells()[c];
+    const Series &seriesLeft = left[cell.trial][cell.signal], &seriesBefore = before[cell.trial][cell.signal];
+    if (!seriesLeft || !seriesBefore) continue;
+    const StretchFit a = seriesLeft->fitOf(cell.from, cell.to, cell.noise),
+                     b = seriesBefore->fitOf(cell.from, cell.to, cell.noise);
+    const double timeLeft = timeOfScale(1 / sharesLeft[c], a.scale, a.noise),
+                 timeBefore = timeOfScale(1 / sharesBefore[c], b.scale, b.noise),
+                 longer = std::max(timeLeft, timeBefore);
+    gain += a.density(1 / longer) - b.density(1 / longer) +
+            a.samples / longer * std::log(timeBefore / timeLeft) / 2;
+  }
+  return gain;
 }
 
 }  // namespace
@@ -95,20 +118,15 @@ std::vector<Prediction> predictionsOf(const std::vector<Trial>& trials, const Ex
 }
 
 double evidenceOf(const CommandLosses& lost, const Replayer& known, const Explanation& causes,
-                  std::size_t kinds) {
+                  const Explanation& asSent, std::size_t kinds) {
   const Groups& groups = known.groups();
-  ReplayOptions asSent;
-  asSent.asSent = true;
-  const Replayer sent(known.mechanism(), groups, known.jobs(), asSent);
+  ReplayOptions allArrive;
+  allArrive.asSent = true;
+  const Replayer sent(known.mechanism(), groups, known.jobs(), allArrive);
   std::vector<char> fixed;
   for (const Trial& trial : groups.trials()) fixed.push_back(!trial.freeBase);
-  const Residuals left = known.residuals(causes, fixed), before = sent.residuals(causes, fixed);
-  const Shares shares = sharesOfBoth(groups, left, before);
-  const std::vector<double> with = densities(groups, left, shares),
-                            without = densities(groups, before, shares);
-  const double gain =
-      std::accumulate(with.begin(), with.end(), 0.0) - std::accumulate(without.begin(), without.end(), 0.0);
-  return gain - priceOf(1, kinds) -
+  const double gain = gainOver(groups, known.residuals(causes, fixed), sent.residuals(asSent, fixed));
+  return gain + priceOf(asSent.size(), kinds) - priceOf(causes.size() + 1, kinds) -
          priceOfCycles(static_cast<double>(sumOf(lost.found, {})), static_cast<double>(sumOf(lost.seen, {})));
 }
 

@@ -44,9 +44,10 @@ std::vector<Trial> withLost(std::vector<Trial> trials, const CommandLosses& lost
 /// What the robot with these causes reads in the trials with a fixed base; empty for others.
 std::vector<Prediction> predictionsOf(const std::vector<Trial>& trials, const Explanation& causes, int jobs);
 
-/// CommandLosses::evidence. known: of groups of trials that know what they lost. The price is minus the
-/// logarithm of the probability of these cycles, whatever the share is, and of the cause among so many kinds.
+/// CommandLosses::evidence, of these causes and losses over the causes asSent with commands that all came.
+/// known: of groups of trials that know what they lost. The price is minus the logarithm of the probability
+/// of these cycles, whatever the share is, and of the causes among so many kinds.
 double evidenceOf(const CommandLosses& lost, const Replayer& known, const Explanation& causes,
-                  std::size_t kinds);
+                  const Explanation& asSent, std::size_t kinds);
 
 }  // namespace plumbline::gap

@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
-#include <set>
 
+#include "gap/diagnosis/UnusedColumns.h"
 #include "gap/inference/JointValues.h"
 #include "gap/inference/LeaveOutBias.h"
 #include "gap/inference/SearchRounds.h"
@@ -66,17 +66,10 @@ void addLost(const CommandLosses& lost, const Groups& groups, std::vector<FoundW
 }
 
 std::vector<std::string> unused(const Groups& groups) {
-  std::set<std::string> lines;
-  const auto kind = [](const std::string& column) { return column.substr(0, column.find('.')); };
-  for (std::size_t t = 0; t < groups.trials().size(); ++t) {
-    for (const std::string& column : groups.trials()[t].notPredicted)
-      lines.insert(kind(column) + ".* is not used: no model here predicts it");
-    for (std::size_t s = 0; s < groups.uses()[t].size(); ++s) {
-      const std::string& name = groups.trials()[t].signals[s].name;
-      if (!groups.uses()[t][s].used) lines.insert(kind(name) + ".* is not used: " + groups.uses()[t][s].why);
-    }
-  }
-  return {lines.begin(), lines.end()};
+  return unusedColumns(groups.trials(), [&](std::size_t t, std::size_t s) {
+    const ChannelUse& use = groups.uses()[t][s];
+    return use.used ? "" : use.why;
+  });
 }
 
 }  // namespace

@@ -43,8 +43,13 @@ public:
 
 private:
   bool explained() const;
+  struct Decoded {
+    CommandLosses lost;
+    std::vector<Prediction> predicted;  ///< with these losses; empty if there are none
+  };
+  Decoded decodedWith(const Explanation& causes, const Explanation& asSent) const;
   bool decode(const Explanation& causes);
-  void begin(CommandLosses lost, Groups groups, const std::vector<Prediction>& predicted);
+  void begin(CommandLosses lost, const std::vector<Prediction>& predicted);
 
   const Mechanism& robot_;
   const InferenceOptions& options_;

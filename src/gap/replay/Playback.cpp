@@ -94,6 +94,7 @@ Playback::Playback(const Plant& plant, const Trial& trial, const ReplayOptions& 
     double shift = 0;
     if (signal.kind == SignalKind::position) shift = trial_.positionAt[joint];
     if (signal.kind == SignalKind::velocity) shift = trial_.velocityAt[joint];
+    if (isEffort(signal.kind) && joint < trial_.effortAt.size()) shift = trial_.effortAt[joint];
     readings_.push_back({s, static_cast<int>(place - joints.begin()), signal.kind, shift,
                          signal.unsignedValue, signal.ofSupply});
     if (isEffort(signal.kind)) {
@@ -192,11 +193,11 @@ double Playback::valueOf(const Reading& reading, double h, double s) const {
 
 Playback::Seen Playback::seenAt(const Reading& reading) const {
   if (!reading.seen) return {stepper_.shown(reading.node), stepper_.rate(reading.node)};
-  // Positions are read a moment before or after the cycle's begin, efforts at it.
+  // Positions are read a moment before or after the efforts.
   const std::size_t k = reading.next;
   const auto joint = static_cast<std::size_t>(trial_.signals[reading.signal].joint);
   const std::vector<double>& angle = reading.seen->values;
-  const double late = trial_.positionAt[joint];
+  const double late = trial_.positionAt[joint] - reading.shift;
   const std::size_t other = late > 0 ? (k > 0 ? k - 1 : k) : std::min(k + 1, trial_.cycles() - 1);
   Seen seen{angle[k], rateAt(trial_, *reading.seen, k)};
   if (other != k)

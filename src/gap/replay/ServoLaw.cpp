@@ -24,6 +24,15 @@ void holdWithin(double limit, double maxSpeed, double x, double w, ServoLine& li
   }
 }
 
+void holdWithinSupply(const ServoTerms& terms, double x, double w, ServoLine& line) {
+  const double torque = line.at(x, w), sign = torque < 0 ? -1 : 1;
+  if (std::abs(torque) <= terms.push * terms.maxDuty - sign * terms.backEmf * w) return;
+  line = {};
+  line.torque = sign * terms.push * terms.maxDuty;
+  line.damping = terms.backEmf;
+  line.regime = sign > 0 ? 6 : 7;
+}
+
 Banded banded(const JointPlant& plant, double error) {
   if (plant.deadBand <= 0) return {};
   if (std::abs(error) <= plant.deadBand) return {10, error};
@@ -51,6 +60,13 @@ ServoTerms::ServoTerms(const JointPlant& of, const Given& from) : given(from) {
     stiffness = push * gain;
     damping = share * (servo.kt * servo.kt / servo.R + of.extraDamping);
     limits = of.torqueFactor < 1 || limitShare < 1;
+    if (servo.followsTorque) {
+      // The loop about the current makes up for what the motor's own voltage does, within the supply.
+      takesSent = limits = true;
+      gain = stiffness = 0;
+      damping = share * of.extraDamping;
+      backEmf = share * servo.kt * servo.kt / servo.R;
+    }
   }
 }
 
@@ -67,7 +83,8 @@ double dutyThatDraws(const JointPlant& plant, double current, double speed, doub
 
 double dutyOf(const JointPlant& plant, double command, double shown) {
   const Servo& servo = plant.servo;
-  if (servo.model != Servo::Model::dcMotor) return std::numeric_limits<double>::quiet_NaN();
+  if (servo.model != Servo::Model::dcMotor || servo.followsTorque)
+    return std::numeric_limits<double>::quiet_NaN();
   const double error = command - shown;
   const double duty = servo.kpFirmware * servo.errorGain * (error - banded(plant, error).takenOff);
   return std::clamp(duty, -servo.maxPwm, servo.maxPwm);

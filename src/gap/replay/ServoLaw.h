@@ -34,6 +34,7 @@ struct ServoTerms {
   double gain = 0;                    ///< duty of a DC motor per error [1/rad]
   double push = 0;                    ///< its torque at full duty [N m]
   double maxDuty = 0;
+  double backEmf = 0;      ///< that its supply has to overcome where it follows torques [N m s/rad]
   bool takesSent = false;  ///< speed and torque as well as the command
   bool limits = false;
   double limit = 0, maxSpeed = 0;  ///< [N m, rad/s]; maxSpeed 0: none
@@ -56,10 +57,13 @@ Banded banded(const JointPlant& plant, double error);
 /// Holds a torque within a limit [N m] that fades with the speed [rad/s] in the torque's direction.
 void holdWithin(double limit, double maxSpeed, double x, double w, ServoLine& line);
 
+/// Holds the torque of a motor that follows torques within what its supply gives at a speed [rad/s].
+void holdWithinSupply(const ServoTerms& terms, double x, double w, ServoLine& line);
+
 /// The servo laws (position and dc_motor) of doc/reference/robot-files.md with the changes by effects.
-/// command [rad]. x: true angle on the encoder's side, w: its speed. speed, torque: sent with the command; a
-/// DC motor's law ignores them [rad/s, N m]. line: becomes the answer. It is written where it stays, because
-/// a copy would wait for it.
+/// command [rad]. x: true angle on the encoder's side, w: its speed. speed, torque: sent with the command, or
+/// instead of it; a DC motor that is sent positions ignores them [rad/s, N m]. line: becomes the answer. It
+/// is written where it stays, because a copy would wait for it.
 inline void putServoLine(const ServoTerms& terms, double command, double x, double w, double speed,
                          double torque, ServoLine& line) {
   line.torque = line.stiffness = line.damping = 0;
@@ -84,6 +88,7 @@ inline void putServoLine(const ServoTerms& terms, double command, double x, doub
   }
   if (terms.takesSent && (speed != 0 || torque != 0))
     line.torque += line.damping * speed + terms.given.share * torque;
+  if (terms.backEmf > 0) holdWithinSupply(terms, x, w, line);
   if (terms.limits) holdWithin(terms.limit, terms.maxSpeed, x, w, line);
   line.regime += band.regime;
 }

@@ -57,13 +57,14 @@ struct Trial {
   /// Per joint, per cycle: speed and torque sent with the position, or instead of it [rad/s, N m]; empty for
   /// a joint without; the whole list is empty if no joint has them.
   std::vector<std::vector<double>> commandSpeed, commandTorque;
-  bool linearCommands = false;                            ///< see Run::linearCommands
-  std::vector<std::vector<double>> stiffness;             ///< empty: 1 throughout
-  std::vector<std::vector<double>> voltage;               ///< empty: as the servo table says [V]
-  std::vector<double> commandAt, positionAt, velocityAt;  ///< per joint, relative to the cycle's time [s]
+  bool linearCommands = false;                 ///< see Run::linearCommands
+  std::vector<std::vector<double>> stiffness;  ///< empty: 1 throughout
+  std::vector<std::vector<double>> voltage;    ///< empty: as the servo table says [V]
+  /// Per joint, relative to the cycle's time [s]; effortAt empty: 0.
+  std::vector<double> commandAt, positionAt, velocityAt, effortAt;
   std::vector<Signal> signals;
-  /// Columns that were recorded and that no replay predicts.
-  std::vector<std::string> notPredicted;
+  /// Columns that were recorded and that no replay has a use for, a line each for people.
+  std::vector<std::string> unused;
   /// Restarts of a walking robot (see Restarts.h) or of windows (inference/WindowStarts.h), in ascending
   /// order; none: replayed in one piece.
   std::vector<Restart> restarts;

@@ -108,25 +108,43 @@ void moveTheUncommanded(const Run& run, const Mechanism& nominal, Trial& trial) 
 }
 
 bool commanded(const Run& run, const std::string& joint) {
-  return run.find(ChannelKind::command, joint) || run.find(ChannelKind::commandTorque, joint);
+  return std::ranges::any_of(std::array{ChannelKind::command, ChannelKind::commandSpeed,
+                                        ChannelKind::commandTorque, ChannelKind::commandCurrent},
+                             [&](ChannelKind kind) { return run.find(kind, joint) != nullptr; });
 }
 
-/// Takes speeds and torques that were sent. A joint that was sent torques and no position has no position
-/// gain, and damping only where it was sent speeds as well. Returns the robot as it is driven then.
+/// Torques that were sent to a joint, or its currents times the torque per ampere; empty: none.
+std::vector<double> torquesSent(const Run& run, const Mechanism::Joint& joint) {
+  if (const auto* torques = run.find(ChannelKind::commandTorque, joint.name)) return *torques;
+  std::vector<double> torques;
+  if (const auto* currents = run.find(ChannelKind::commandCurrent, joint.name)) torques = *currents;
+  for (double& value : torques) value *= joint.servo.kt;
+  return torques;
+}
+
+/// Takes speeds, torques and currents that were sent. A joint that was sent these and no position has no
+/// position gain, and damping only where it was sent speeds. Returns the robot as it is driven then.
 Mechanism driveByTorque(const Run& run, Mechanism robot, Trial& trial) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     Mechanism::Joint& joint = robot.joints[j];
-    const auto* speeds = run.find(ChannelKind::commandSpeed, joint.name);
-    const auto* torques = run.find(ChannelKind::commandTorque, joint.name);
-    if (joint.servo.model == Servo::Model::dcMotor) continue;
-    if (speeds) trial.commandSpeed[j] = *speeds;
-    if (torques) trial.commandTorque[j] = *torques;
-    if (!torques || run.find(ChannelKind::command, joint.name)) continue;
+    const bool dcMotor = joint.servo.model == Servo::Model::dcMotor,
+               positions = run.find(ChannelKind::command, joint.name) != nullptr;
+    if (dcMotor && positions) continue;
+    if (const auto* speeds = run.find(ChannelKind::commandSpeed, joint.name); speeds && !dcMotor)
+      trial.commandSpeed[j] = *speeds;
+    trial.commandTorque[j] = torquesSent(run, joint);
+    if (positions || (trial.commandSpeed[j].empty() && trial.commandTorque[j].empty())) continue;
+    joint.servo.followsTorque = dcMotor;
     joint.servo.kp = 0;
-    if (!speeds) joint.servo.kd = 0;
+    if (trial.commandSpeed[j].empty()) joint.servo.kd = 0;
     trial.command[j].assign(trial.cycles(), 0);
   }
   return robot;
+}
+
+bool isPositionServo(const Mechanism& robot, const std::string& joint) {
+  const int index = robot.jointIndex(joint);
+  return index >= 0 && robot.joints[static_cast<std::size_t>(index)].servo.model == Servo::Model::position;
 }
 
 }  // namespace
@@ -152,6 +170,7 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
     trial.commandAt.push_back(timing.cmdAt);
     trial.positionAt.push_back(timing.posAt);
     trial.velocityAt.push_back(timing.velAt);
+    trial.effortAt.push_back(timing.effortAt);
     if (const auto* values = run.find(ChannelKind::command, name)) trial.command[j] = *values;
     if (run.find(ChannelKind::stiffness, name)) trial.stiffness[j] = run.stiffnessOf(name);
     if (const auto* values = run.find(ChannelKind::voltage, name)) trial.voltage[j] = *values;
@@ -162,7 +181,10 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
   for (const auto& [column, values] : run.channels) {
     const auto channel = parseChannel(column);
     const auto kind = channel ? kindOf(channel->kind) : std::nullopt;
-    if (channel && channel->kind == ChannelKind::temperature) trial.notPredicted.push_back(column);
+    if (channel && channel->kind == ChannelKind::temperature)
+      trial.unused.push_back("temperature.* is not used: no model here predicts it");
+    if (channel && channel->kind == ChannelKind::voltage && isPositionServo(nominal, channel->place))
+      trial.unused.push_back("voltage.* is not used: the law of a position servo has no supply");
     if (!kind) continue;
     Signal signal;
     signal.name = column;

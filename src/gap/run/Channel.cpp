@@ -6,9 +6,9 @@
 namespace plumbline::gap {
 namespace {
 
-constexpr std::array<const char*, 16> prefixes = {
-    "t",       "cmd",     "cmd_vel", "cmd_torque",  "stiffness", "pos", "vel", "torque",
-    "current", "voltage", "duty",    "temperature", "gyro",      "acc", "fsr", "truth"};
+constexpr std::array<const char*, 17> prefixes = {
+    "t",       "cmd",     "cmd_vel", "cmd_torque",  "cmd_current", "stiffness", "pos", "vel",  "torque",
+    "current", "voltage", "duty",    "temperature", "gyro",        "acc",       "fsr", "truth"};
 
 bool isCorner(std::string_view corner) {
   return corner == "FrontLeft" || corner == "FrontRight" || corner == "RearLeft" || corner == "RearRight";

@@ -11,6 +11,7 @@ enum class ChannelKind {
   command,
   commandSpeed,
   commandTorque,
+  commandCurrent,
   stiffness,
   position,
   velocity,

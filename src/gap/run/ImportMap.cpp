@@ -100,7 +100,8 @@ void readHead(const ConfigSection& root, ImportMap& map) {
     const Range second{-1, 1};
     r.timing["*"] = {timing.find<double>("cmd_at_s", second).value_or(0),
                      timing.find<double>("pos_at_s", second).value_or(0),
-                     timing.find<double>("vel_at_s", second).value_or(0)};
+                     timing.find<double>("vel_at_s", second).value_or(0),
+                     timing.find<double>("effort_at_s", second).value_or(0)};
   }
   if (root.has("servo")) {
     const ConfigSection servo = root.section("servo");

@@ -18,6 +18,7 @@ constexpr double longestLag = 2;          // [s] to either side
 constexpr double longestStep = 0.01;      // [s] between the samples that are compared
 constexpr double leastCorrelation = 0.9;  // of speeds
 constexpr double leastCorrelationGain = 0.2;  // of it over that at a plausible lag
+constexpr double mostOwnEffort = 0.1;         // squares that are left, of those with the command before
 constexpr std::size_t mostSamples = 6000;
 
 class Plausibility {
@@ -36,6 +37,7 @@ public:
     for (const Mechanism::Joint& joint : robot_.joints) checkServo(joint);
     for (const auto& [joint, timing] : run_.timing) checkTiming(joint, timing);
     for (const Mechanism::Joint& joint : robot_.joints) checkClocks(joint);
+    for (const Mechanism::Joint& joint : robot_.joints) checkEffort(joint);
   }
 
 private:
@@ -67,11 +69,45 @@ private:
     const double most = std::max(mostShift, 5 * period_);
     for (const auto& [key, seconds] :
          {std::pair("cmd_at_s", timing.cmdAt), std::pair("pos_at_s", timing.posAt),
-          std::pair("vel_at_s", timing.velAt)})
+          std::pair("vel_at_s", timing.velAt), std::pair("effort_at_s", timing.effortAt)})
       if (std::abs(seconds) > most)
         warn("run.json", std::string("timing.") + key + (joint == "*" ? "" : "." + joint) + " is " +
                              shownNumber(seconds) + " s, " + shownNumber(seconds / period_) +
                              " cycles; is it in s?");
+  }
+
+  /// Whether a torque is that of its own line's command, which comes into force after the line's readings.
+  void checkEffort(const Mechanism::Joint& joint) {
+    const auto* const cmd = run_.find(ChannelKind::command, joint.name);
+    const auto* const pos = run_.find(ChannelKind::position, joint.name);
+    const auto* const torque = run_.find(ChannelKind::torque, joint.name);
+    const JointTiming timing = run_.timingOf(joint.name);
+    if (!cmd || !pos || !torque || joint.servo.model != Servo::Model::position || timing.effortAt != 0 ||
+        timing.cmdAt != 0)
+      return;
+    const double kp = servoOf(joint).kp, kd = servoOf(joint).kd;
+    double before = 0, own = 0;
+    for (std::size_t k = 1; k + 1 < run_.t.size(); ++k) {
+      const double speed = ((*pos)[k + 1] - (*pos)[k - 1]) / (run_.t[k + 1] - run_.t[k - 1]);
+      const double lacks = (*torque)[k] + kp * (*pos)[k] + kd * speed;
+      const double a = lacks - kp * (*cmd)[k - 1], b = lacks - kp * (*cmd)[k];
+      if (std::isfinite(a) && std::isfinite(b)) before += a * a, own += b * b;
+    }
+    if (own < mostOwnEffort * before)
+      warn(
+          "torque." + joint.name,
+          "it is the torque of its own line's command, but commands come into force after a line's readings; "
+          "add to run.json: timing: {effort_at_s: 1e-4}");
+  }
+
+  /// The joint's servo with the gains of this run.
+  Servo servoOf(const Mechanism::Joint& joint) const {
+    Servo servo = joint.servo;
+    if (const auto found = run_.servo.find(joint.name); found != run_.servo.end()) {
+      servo.kp = found->second.kp.value_or(servo.kp);
+      servo.kd = found->second.kd.value_or(servo.kd);
+    }
+    return servo;
   }
 
   /// Whether a joint moves as commanded, but at a time that no delay explains.

@@ -180,9 +180,9 @@ void RecordingImport::guessUnits(ImportedRun& result) {
   std::vector<Group> groups;
   for (const ChannelKind kind :
        {ChannelKind::position, ChannelKind::command, ChannelKind::velocity, ChannelKind::commandSpeed,
-        ChannelKind::torque, ChannelKind::commandTorque, ChannelKind::current, ChannelKind::voltage,
-        ChannelKind::duty, ChannelKind::stiffness, ChannelKind::acceleration, ChannelKind::gyro,
-        ChannelKind::force})
+        ChannelKind::torque, ChannelKind::commandTorque, ChannelKind::current, ChannelKind::commandCurrent,
+        ChannelKind::voltage, ChannelKind::duty, ChannelKind::stiffness, ChannelKind::acceleration,
+        ChannelKind::gyro, ChannelKind::force})
     for (const bool sliding : {false, true}) groups.push_back({kind, sliding});
   // Whose unit is not clear by itself is looked at again when others are known.
   std::vector<Group> unclear;

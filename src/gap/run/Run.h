@@ -31,10 +31,10 @@ struct ServoOverride {
   std::optional<double> kp, kd, armature, maxTorque, maxSpeed, kpFirmware, vin;
 };
 
-/// Times relative to t [s] at which the cycle's command reached the servo and position and speed were
-/// measured.
+/// Times relative to t [s] at which the cycle's command reached the servo, and position, speed and effort
+/// (torque, current, duty) were measured.
 struct JointTiming {
-  double cmdAt = 0, posAt = 0, velAt = 0;
+  double cmdAt = 0, posAt = 0, velAt = 0, effortAt = 0;
 };
 
 /// One recording of one motion on one robot: a table of channels by name.

@@ -8,6 +8,7 @@
 #include "gap/run/ColumnStatistics.h"
 #include "gap/run/Plausibility.h"
 #include "gap/run/RunFile.h"
+#include "gap/run/SentCommands.h"
 #include "math/Angle.h"
 
 namespace plumbline::gap {
@@ -27,12 +28,13 @@ struct Bounds {
 };
 // What no sensor of a robot on legs or a bench gives in these units.
 constexpr Bounds bounds[] = {
-    {ChannelKind::stiffness, 0, 1},         {ChannelKind::velocity, -60, 60},
-    {ChannelKind::torque, -500, 500},       {ChannelKind::current, -200, 200},
-    {ChannelKind::voltage, -100, 100},      {ChannelKind::duty, -1.001, 1.001},
-    {ChannelKind::temperature, -30, 150},   {ChannelKind::gyro, -60, 60},
-    {ChannelKind::acceleration, -400, 400}, {ChannelKind::force, -10, 1000},
-    {ChannelKind::commandSpeed, -60, 60},   {ChannelKind::commandTorque, -500, 500},
+    {ChannelKind::stiffness, 0, 1},           {ChannelKind::velocity, -60, 60},
+    {ChannelKind::torque, -500, 500},         {ChannelKind::current, -200, 200},
+    {ChannelKind::voltage, -100, 100},        {ChannelKind::duty, -1.001, 1.001},
+    {ChannelKind::temperature, -30, 150},     {ChannelKind::gyro, -60, 60},
+    {ChannelKind::acceleration, -400, 400},   {ChannelKind::force, -10, 1000},
+    {ChannelKind::commandSpeed, -60, 60},     {ChannelKind::commandTorque, -500, 500},
+    {ChannelKind::commandCurrent, -200, 200},
 };
 
 /// The foot of a force sensor's place: LFoot of LFoot.FrontLeft.
@@ -204,9 +206,10 @@ private:
     for (const Mechanism::Joint& joint : robot_.joints)
       if (run_.find(ChannelKind::command, joint.name)) anyCommandMoves |= checkFollowing(joint);
     for (const Mechanism::Joint& joint : robot_.joints) {
+      leaveOutUselessCommands(run_, joint, warnings_);
       checkSpeed(joint);
       if (joint.driver >= 0) continue;  // its driver's command is its own
-      const bool hasCommand = run_.find(ChannelKind::command, joint.name) || sentTorque(joint),
+      const bool hasCommand = run_.find(ChannelKind::command, joint.name) || isSentEfforts(run_, joint),
                  hasPosition = run_.find(ChannelKind::position, joint.name);
       if (!hasCommand && !hasPosition)
         warn("run.csv", "has neither cmd." + joint.name + " nor pos." + joint.name + "; it is held still");
@@ -215,18 +218,11 @@ private:
       else if (!hasPosition)
         warn("cmd." + joint.name, "there is no pos." + joint.name + " to hold against it");
     }
-    anyCommandMoves =
-        anyCommandMoves || std::ranges::any_of(robot_.joints, [&](const auto& j) { return sentTorque(j); });
+    anyCommandMoves = anyCommandMoves || std::ranges::any_of(robot_.joints, [&](const auto& j) {
+                        return isSentEfforts(run_, j);
+                      });
     if (!anyCommandMoves && !run_.jointsWith(ChannelKind::command).empty())
       warn("run.csv", "no command changes; a robot that does not move shows little");
-  }
-
-  /// Whether a joint was sent torques; speeds and torques that a DC motor's law has no use for are left out.
-  bool sentTorque(const Mechanism::Joint& joint) {
-    for (const ChannelKind kind : {ChannelKind::commandSpeed, ChannelKind::commandTorque})
-      if (joint.servo.model == Servo::Model::dcMotor)
-        leaveOut(channelName(kind, joint.name), "a DC motor's law uses positions only");
-    return run_.find(ChannelKind::commandTorque, joint.name) != nullptr;
   }
 
   /// Whether a hinge's position is beyond its limits because the joint went there: it follows its command,
@@ -354,7 +350,8 @@ private:
   }
 
   void checkWhatIsLeft() {
-    if (run_.jointsWith(ChannelKind::command).empty() && run_.jointsWith(ChannelKind::commandTorque).empty())
+    if (run_.jointsWith(ChannelKind::command).empty() &&
+        std::ranges::none_of(robot_.joints, [&](const auto& j) { return isSentEfforts(run_, j); }))
       refuse("no usable cmd column" + reasons());
     if (run_.jointsWith(ChannelKind::position).empty()) refuse("no usable pos column" + reasons());
   }

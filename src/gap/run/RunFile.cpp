@@ -124,11 +124,13 @@ void readTiming(const Meta& meta, Run& run) {
   const json* timing = meta.find("timing");
   if (!timing) return;
   if (!timing->is_object())
-    meta.fail("timing is " + shown(*timing) + "; give {cmd_at_s, pos_at_s, vel_at_s}");
-  constexpr std::pair<const char*, double JointTiming::*> fields[] = {{"cmd_at_s", &JointTiming::cmdAt},
-                                                                      {"pos_at_s", &JointTiming::posAt},
-                                                                      {"vel_at_s", &JointTiming::velAt}};
-  meta.only(*timing, "timing.", {"cmd_at_s", "pos_at_s", "vel_at_s", "note"});
+    meta.fail("timing is " + shown(*timing) + "; give {cmd_at_s, pos_at_s, vel_at_s, effort_at_s}");
+  constexpr std::pair<const char*, double JointTiming::*> fields[] = {
+      {"cmd_at_s", &JointTiming::cmdAt},
+      {"pos_at_s", &JointTiming::posAt},
+      {"vel_at_s", &JointTiming::velAt},
+      {"effort_at_s", &JointTiming::effortAt}};
+  meta.only(*timing, "timing.", {"cmd_at_s", "pos_at_s", "vel_at_s", "effort_at_s", "note"});
   // One number for all first, so that a joint's own entry starts from it.
   for (const auto& [key, field] : fields) {
     const json* v = meta.find(*timing, key);

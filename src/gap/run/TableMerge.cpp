@@ -34,7 +34,8 @@ double farthest(const std::vector<double>& x, double from) {
 
 bool isCommand(ChannelKind kind) {
   return kind == ChannelKind::command || kind == ChannelKind::commandSpeed ||
-         kind == ChannelKind::commandTorque || kind == ChannelKind::stiffness;
+         kind == ChannelKind::commandTorque || kind == ChannelKind::commandCurrent ||
+         kind == ChannelKind::stiffness;
 }
 
 bool hasKind(const TimedChannels& recording, ChannelKind kind) {
@@ -210,6 +211,9 @@ private:
       for (const std::string& name : names) {
         const ChannelName channel = *parseChannel(name);
         if (channel.kind == ChannelKind::position) result_.timing[channel.place].posAt = constant;
+        if (channel.kind == ChannelKind::torque || channel.kind == ChannelKind::current ||
+            channel.kind == ChannelKind::duty)
+          result_.timing[channel.place].effortAt = constant;
         if (channel.kind == ChannelKind::velocity) result_.timing[channel.place].velAt = constant;
       }
     std::string said =

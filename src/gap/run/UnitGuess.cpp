@@ -115,6 +115,7 @@ GuessedUnit UnitGuess::of(ChannelKind kind, const Raws& channels, bool sliding) 
     case ChannelKind::commandTorque:
       return sliding ? GuessedUnit{"N", "of a joint that slides"} : torque(channels);
     case ChannelKind::current:
+    case ChannelKind::commandCurrent:
       return current(channels);
     case ChannelKind::voltage:
       return voltage(channels);

@@ -9,6 +9,8 @@
 #include "framework/WriteFile.h"
 #include "gap/answer/Answer.h"
 #include "gap/diagnosis/DiagnosisAttempts.h"
+#include "gap/diagnosis/HoldHint.h"
+#include "gap/diagnosis/UnusedColumns.h"
 #include "gap/replay/Segments.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/report/MotionQuestion.h"
@@ -106,6 +108,9 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   if (segments > 0 && !options.quiet)
     std::fprintf(stderr, "gap: looks at %zu segments of these long runs (--seconds)\n", segments);
 
+  if (const std::string hint = holdHint(trials); !hint.empty())
+    std::fprintf(stderr, "gap: %s\n", hint.c_str());
+
   const bool toFile = !options.json.empty() && options.json != "-";
   if (toFile) makeFolderOf(options.json);
   const std::string memory = toFile ? options.json + ".searches" : "";
@@ -118,6 +123,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
     diagnoseBySets(request, std::move(trials), std::move(input), timing);
     return;
   }
+  input.remarks = unusedByBlocks(trials);
   DiagnosisOptions settings;
   settings.jobs = jobs;
   if (options.maxCauses > 0) settings.maxCauses = static_cast<std::size_t>(options.maxCauses);
@@ -150,6 +156,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   }
   std::printf("Gap on data left out of the fit, in units of noise: %.2f before, %.2f after, floor %.2f.\n",
               diagnosis.gap.before, diagnosis.gap.after, diagnosis.gap.floor);
+  for (const std::string& line : input.remarks) std::printf("%s\n", line.c_str());
   std::printf("Next: %s\n", input.nextMotion.c_str());
 }
 

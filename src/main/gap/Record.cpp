@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cstdio>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <stdexcept>
 
@@ -54,19 +55,23 @@ Excitation programOf(const std::string& given, const Mechanism& robot, std::uint
 
 std::vector<Item> itemsOf(const RecordOptions& options, const Mechanism& robot) {
   std::vector<Item> items;
-  const auto add = [&](const std::string& program, bool again) {
+  // What is asked for again is recorded as a repeat.
+  std::map<std::string, int> asked;
+  const auto add = [&](const std::string& program) {
     Excitation e = programOf(program, robot, options.programSeed);
     const std::string name = e.name;
-    items.push_back({std::move(e), again ? name + "_again" : name, again ? name : ""});
+    const int before = asked[program]++;
+    const std::string again = before > 1 ? "_again_" + std::to_string(before) : "_again";
+    items.push_back({std::move(e), before > 0 ? name + again : name, before > 0 ? name : ""});
   };
-  for (const std::string& program : options.programs) add(program, false);
+  for (const std::string& program : options.programs) add(program);
   if (options.battery == "hang" || options.battery == "all") {
-    for (const std::string& program : hangingBattery()) add(program, false);
-    add(hangingBattery().front(), true);
+    for (const std::string& program : hangingBattery()) add(program);
+    add(hangingBattery().front());
   }
   if (options.battery == "stand" || options.battery == "all") {
-    for (const std::string& program : floatingBaseBattery()) add(program, false);
-    add(floatingBaseBattery().front(), true);
+    for (const std::string& program : floatingBaseBattery()) add(program);
+    add(floatingBaseBattery().front());
   }
   return items;
 }
@@ -175,8 +180,8 @@ void addRecord(CommandLine& app) {
       .showDefault();
   command.option(
       "--program", options->programs,
-      std::string("Programs: names in config/excitation, or files; several make several runs. Walks are "
-                  "walked in ") +
+      std::string("Programs: names in config/excitation, or files; several make several runs, one named "
+                  "again a repeat. Walks are walked in ") +
           servo::RobotSimulations::usual + ", or in --engine");
   command.option("--battery", options->battery, "A standard set of programs, with a repeat")
       .oneOf({"hang", "stand", "all"});

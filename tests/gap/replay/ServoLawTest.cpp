@@ -50,6 +50,20 @@ TEST(ServoLawTest, dcMotorAsInTheContract) {
   EXPECT_NEAR(torque(plant, 3, 0, 2), kt * (vin - kt * 2) / R, 1e-9);  // saturated
 }
 
+TEST(ServoLawTest, aDcMotorThatFollowsTorquesIsHeldByItsSupplyAlone) {
+  JointPlant plant = nominalPlant(findMechanism("xl330_pendulum")).joints[0];
+  plant.servo.followsTorque = true;
+  const auto given = [&](double sent, double w) {
+    return servoLine(plant, 9, 1, 0, 0.2, w, 1, 1, 0, sent).at(0.2, w);
+  };
+  const double kt = 0.38042, R = 3.38007, vin = 7.4;
+  EXPECT_DOUBLE_EQ(given(0.3, 0), 0.3);
+  EXPECT_DOUBLE_EQ(given(0.3, 5), 0.3) << "its own voltage is made up for";
+  EXPECT_NEAR(given(0.3, 18), kt * (vin - kt * 18) / R, 1e-9) << "as long as the supply allows";
+  EXPECT_NEAR(given(-0.3, -18), -kt * (vin - kt * 18) / R, 1e-9);
+  EXPECT_TRUE(std::isnan(dutyOf(plant, 0.1, 0))) << "no error of a position sets its duty";
+}
+
 TEST(ServoLawTest, lessSupplyOfADcMotorIsLessVoltageAndNoLimit) {
   const Mechanism pendulum = findMechanism("xl330_pendulum");
   const Effect& supply = *findEffect("supply_voltage");

@@ -111,5 +111,31 @@ TEST(Plausibility, anotherClockHasToExplainAFifthMoreThanADelay) {
   EXPECT_EQ(said(0.83), "");
 }
 
+TEST(Plausibility, aTorqueOfItsOwnLinesCommandIsReported) {
+  Mechanism robot = findMechanism("xl330_pendulum");
+  robot.joints[0].servo = {};
+  robot.joints[0].servo.kp = 3;
+  gap::Run run = later(0.05);
+  const auto withTorques = [&](std::size_t before) {
+    const std::vector<double>&cmd = run.channels["cmd.pendulum"], &pos = run.channels["pos.pendulum"];
+    std::vector<double> torques;
+    for (std::size_t k = 0; k < cmd.size(); ++k)
+      torques.push_back(3 * (cmd[k < before ? 0 : k - before] - pos[k]));
+    run.channels["torque.pendulum"] = torques;
+    std::vector<RunWarning> warnings;
+    checkPlausibility(run, robot, warnings);
+    return warnings;
+  };
+  EXPECT_TRUE(withTorques(1).empty());
+  const std::vector<RunWarning> warnings = withTorques(0);
+  ASSERT_EQ(warnings.size(), 1U);
+  EXPECT_EQ(
+      warnings[0].line("r"),
+      "r: torque.pendulum: it is the torque of its own line's command, but commands come into force after "
+      "a line's readings; add to run.json: timing: {effort_at_s: 1e-4}");
+  run.timing["*"].effortAt = 1e-4;
+  EXPECT_TRUE(withTorques(0).empty());
+}
+
 }  // namespace
 }  // namespace plumbline::gap

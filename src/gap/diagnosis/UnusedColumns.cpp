@@ -1,0 +1,36 @@
+#include "gap/diagnosis/UnusedColumns.h"
+
+#include <set>
+
+#include "gap/diagnosis/Evidence.h"
+
+namespace plumbline::gap {
+
+std::string unusedLine(const std::string& column, const std::string& why) {
+  return column.substr(0, column.find('.')) + ".* is not used: " + why;
+}
+
+std::vector<std::string> unusedColumns(
+    const std::vector<Trial>& trials,
+    const std::function<std::string(std::size_t trial, std::size_t signal)>& whyNot) {
+  std::set<std::string> lines;
+  for (std::size_t t = 0; t < trials.size(); ++t) {
+    lines.insert(trials[t].unused.begin(), trials[t].unused.end());
+    for (std::size_t s = 0; s < trials[t].signals.size(); ++s)
+      if (const std::string why = whyNot(t, s); !why.empty())
+        lines.insert(unusedLine(trials[t].signals[s].name, why));
+  }
+  return {lines.begin(), lines.end()};
+}
+
+std::vector<std::string> unusedByBlocks(const std::vector<Trial>& trials) {
+  return unusedColumns(trials, [&](std::size_t t, std::size_t s) -> std::string {
+    const Signal& signal = trials[t].signals[s];
+    if (Evidence::counts(signal)) return "";
+    if (signal.kind == SignalKind::velocity) return "it is the derivative of the position, which is used";
+    if (signal.kind == SignalKind::truth) return "a body's way over the ground is shown, not scored";
+    return "--method blocks does not look at it; --method sets does";
+  });
+}
+
+}  // namespace plumbline::gap
