@@ -10,6 +10,7 @@
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/Score.h"
 #include "gap/inference/Unexplained.h"
+#include "math/Random.h"
 #include "math/WilsonInterval.h"
 
 namespace plumbline::gap {
@@ -54,13 +55,16 @@ double gainOver(const Groups& groups, const Residuals& left, const Residuals& be
 
 double CommandLosses::share(const std::vector<char>& wanted) const {
   const auto of = static_cast<double>(sumOf(seen, wanted));
-  return of > 0 ? static_cast<double>(sumOf(found, wanted)) / of : 0;
+  return of > 0 ? std::min(1.0, static_cast<double>(sumOf(found, wanted)) / of / recovered) : 0;
 }
 
 Bounds CommandLosses::interval() const {
-  const auto [lower, upper] =
-      wilsonInterval(static_cast<double>(sumOf(found, {})), static_cast<double>(sumOf(seen, {})));
-  return {lower, upper};
+  const auto here = static_cast<double>(sumOf(found, {})), of = static_cast<double>(sumOf(seen, {})),
+             simulated = static_cast<double>(foundInSimulation);
+  // Relative variances of counts add up.
+  const double part = simulated > 0 ? simulated / (here + simulated) : 1;
+  const auto [lower, upper] = wilsonInterval(part * here, part * of);
+  return {lower / recovered, std::min(1.0, upper / recovered)};
 }
 
 Cause CommandLosses::cause(double share) {
@@ -102,6 +106,36 @@ CommandLosses decodeLostCommands(const std::vector<Trial>& sent, const Groups& g
   lost.seen = std::move(decoded.seenIn);
   lost.found = std::move(decoded.foundIn);
   return lost;
+}
+
+void recoveryOf(CommandLosses& lost, const std::vector<Trial>& sent, const Groups& groups,
+                const Explanation& causes, int jobs) {
+  constexpr std::uint64_t seed = 1;
+  const double share = lost.share();
+  std::vector<Trial> simulated = sent;
+  double drawn = 0, cycles = 0;
+  for (std::size_t t = 0; t < simulated.size(); ++t) {
+    Trial& trial = simulated[t];
+    if (trial.freeBase) continue;
+    Random random(seed + t);
+    std::vector<std::uint8_t> other(trial.cycles(), 0);
+    for (auto& cycle : other) {
+      cycle = random.uniform() < share;
+      drawn += cycle;
+      ++cycles;
+    }
+    ReplayOptions options;
+    options.lostCycles = &other;
+    const Prediction shown = replay(plantOf(trial, causes), trial, options);
+    for (std::size_t s = 0; s < trial.signals.size(); ++s)
+      for (std::size_t k = 0; k < trial.cycles() && !shown.values[s].empty(); ++k)
+        trial.signals[s].values[k] =
+            shown.values[s][k] + groups.uses()[t][s].readingNoise * random.gaussian();
+  }
+  const CommandLosses again = decodeLostCommands(simulated, groups, causes, jobs);
+  if (!again.any() || drawn == 0) return;
+  lost.recovered = again.share() / (drawn / cycles);
+  lost.foundInSimulation = sumOf(again.found, {});
 }
 
 std::vector<Trial> withLost(std::vector<Trial> trials, const CommandLosses& lost) {

@@ -16,11 +16,14 @@ struct CommandLosses {
   std::vector<std::size_t> found;                 ///< per trial: those of them that were lost
   /// Gain of log density over commands that all came, less the price of the cycles and of the cause.
   double evidence = 0;
+  /// How many are found for each that was lost, and how many were found to learn that (recoveryOf).
+  double recovered = 1;
+  std::size_t foundInSimulation = 0;
 
   bool any() const { return share() > 0; }
-  /// Of the trials that are wanted; empty: of all.
+  /// Of the commands in trials that are wanted (empty: in all): those found, divided by recovered.
   double share(const std::vector<char>& wanted = {}) const;
-  /// Of the share, 95 % (wilsonInterval).
+  /// Of the share, 95 %: wilsonInterval of as many as are found here and in the simulation, in series.
   Bounds interval() const;
   /// As a cause of a gap, of such a share.
   static Cause cause(double share);
@@ -37,6 +40,12 @@ bool mayHaveLostCommands(const Groups& groups);
 /// groups.
 CommandLosses decodeLostCommands(const std::vector<Trial>& sent, const Groups& groups,
                                  const Explanation& causes, int jobs);
+
+/// Sets recovered by a simulation: these recordings with other cycles lost, as large a share, and with the
+/// readings' noise, are decoded in the same way. Two losses that follow each other closely may be found as
+/// one; on a weak servo a quarter of them is. groups: of the trials that know what they lost.
+void recoveryOf(CommandLosses& lost, const std::vector<Trial>& sent, const Groups& groups,
+                const Explanation& causes, int jobs);
 
 /// Trials that know which commands they lost.
 std::vector<Trial> withLost(std::vector<Trial> trials, const CommandLosses& lost);

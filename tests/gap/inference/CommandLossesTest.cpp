@@ -32,6 +32,29 @@ TEST_F(CommandLossesTest, theIntervalIsWilsons) {
   EXPECT_NEAR(lost.interval().upper, 0.1744, 1e-4);
 }
 
+TEST_F(CommandLossesTest, whatDecodingMissesIsMadeUpFor) {
+  CommandLosses lost;
+  lost.seen = {100, 100};
+  lost.found = {10, 5};
+  EXPECT_DOUBLE_EQ(lost.share(), 0.075);
+  lost.recovered = 0.75;
+  lost.foundInSimulation = 15;
+  EXPECT_DOUBLE_EQ(lost.share(), 0.1);
+  EXPECT_NEAR(lost.share({1, 0}), 0.4 / 3, 1e-12);
+  // As of 7.5 in 100, divided by the same.
+  EXPECT_NEAR(lost.interval().lower, 0.0502, 1e-4);
+  EXPECT_NEAR(lost.interval().upper, 0.1917, 1e-4);
+}
+
+TEST_F(CommandLossesTest, ofAServoThatShowsLossesAtOnceNearlyAllAreFound) {
+  const std::vector<Trial> sent = repeats(0.1);
+  CommandLosses lost = decodeLostCommands(sent, Groups(sent), {}, 1);
+  const std::vector<Trial> known = withLost(sent, lost);
+  recoveryOf(lost, sent, Groups(known, predictionsOf(known, {}, 1)), {}, 1);
+  EXPECT_NEAR(lost.recovered, 1, 0.15);
+  EXPECT_GT(lost.foundInSimulation, 50U);
+}
+
 TEST_F(CommandLossesTest, asACauseTheyAreOfTheWholeRobot) {
   EXPECT_EQ(describe(CommandLosses::cause(0.07)), "command_dropout at * = 0.07");
   EXPECT_EQ(plantOf(twoJointArm(), {CommandLosses::cause(0.07)}).dropout, 0.07);
