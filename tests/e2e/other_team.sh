@@ -39,6 +39,13 @@ awk -v half=3 -v players=1 -v json="$scratch/ended.json" -f tests/bench/games/ta
 grep -qF "exit status: Team, seed 7: 1(139). Team, seed 8: 1(-)." "$scratch/ended.md" || fail "who ended: $(cat "$scratch/ended.md")"
 grep -q "^| players that ended before the game or with an error | 1.00 ± 0.00 | 0.00 ± 0.00 |$" "$scratch/ended.md" || fail "ended players: $(cat "$scratch/ended.md")"
 
+# One that was asked to end after the game is none of them, but one that was before is.
+sed -i '1s/^\(left\|right\)\t1\t139\t1/\1\t1\t143\t0/' "$scratch/games/played/1/players.tsv"
+sed -i '1s/^\(left\|right\)\t1\t-\t0/\1\t1\t143\t1/' "$scratch/games/played/2/players.tsv"
+awk -v played="$scratch/games/played" -f tests/bench/games/tracks.awk "$scratch/games/games.log" > "$scratch/ended.tsv"
+awk -v half=3 -v players=1 -v json="$scratch/ended.json" -f tests/bench/games/table.awk "$scratch/ended.tsv" > "$scratch/ended.md"
+grep -qF "exit status: Team, seed 8: 1(143)." "$scratch/ended.md" || fail "who was stopped: $(cat "$scratch/ended.md")"
+
 # A start script that knows nothing but the host is called in its folder; ours reads the port from the environment.
 printf '#!/bin/sh\nexec "%s/agent" --team Plain --number 2 --host "$1" --config "%s" > /dev/null 2>&1\n' "$bin" "$PWD/config" > "$scratch/plain.sh"
 chmod +x "$scratch/plain.sh"

@@ -70,7 +70,8 @@ function players(file,   f, side) {
     split(line, f, "\t")
     side = f[1]
     ++known[side]
-    if (f[4] || (f[3] != "0" && f[3] != "1")) { ++crashes[side]; who[side] = who[side] " " f[2] "(" f[3] ")" }
+    # Who is still at work when the game is over is asked to end, twice under load, and then ends with 143.
+    if (f[4] || (f[3] != "0" && f[3] != "1" && f[3] != "143")) { ++crashes[side]; who[side] = who[side] " " f[2] "(" f[3] ")" }
     if (f[5] == "-") continue
     ++measured[side]
     late[side] += f[5]; cpu[side] += f[6]; highest[side] += f[7]
