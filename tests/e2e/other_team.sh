@@ -26,6 +26,7 @@ done
 grep -q "^| players that ended before the game or with an error | 0.00 ± 0.00 | 0.00 ± 0.00 |$" "$scratch/games.md" || fail "ended players: $(cat "$scratch/games.md")"
 grep -q "^| late cycles of a player (more than 20 ms of CPU) | 0.00 ± 0.00 | - |$" "$scratch/games.md" || fail "late cycles: $(cat "$scratch/games.md")"
 grep -q "^| CPU of a player per cycle, mean \[us\] | [1-9][0-9.]* ± [0-9.]* | - |$" "$scratch/games.md" || fail "CPU: $(cat "$scratch/games.md")"
+grep -q "^| goal difference | -*[0-9.]* ± [0-9.]* | -*[0-9.]* ± [0-9.]* |$" "$scratch/games.md" || fail "goal difference: $(cat "$scratch/games.md")"
 for figure in team.goals team.shots other.possession other.falls; do
   grep -q "\"games.$figure\", \"value\": [0-9.]*, " "$scratch/games.json" || fail "figure $figure: $(cat "$scratch/games.json")"
 done

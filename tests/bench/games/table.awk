@@ -13,6 +13,7 @@ BEGIN {
   if (!(team in n)) order[++teams] = team
   ++n[team]
   for (i = 1; i <= measures; ++i) if ($(i + 1) != "-") { ++count[team, i]; sum[team, i] += $(i + 1); squares[team, i] += $(i + 1) ^ 2 }
+  difference[team] += $2 - $3; differences[team] += ($2 - $3) ^ 2
   if ($2 > $3) ++won[team]; else if ($2 < $3) ++lost[team]; else ++drawn[team]
   seed = $(measures + 2)
   if (!first || seed < first) first = seed
@@ -25,6 +26,12 @@ function half95(team, i,   v, m) {
   v = (squares[team, i] - sum[team, i] ^ 2 / m) / (m - 1)
   return 1.96 * sqrt((v > 0 ? v : 0) / m)
 }
+function difference95(team,   v, m) {
+  m = n[team]
+  if (m < 2) return 0
+  v = (differences[team] - difference[team] ^ 2 / m) / (m - 1)
+  return 1.96 * sqrt((v > 0 ? v : 0) / m)
+}
 END {
   if (!teams) { print "no game came to its end" > "/dev/stderr"; exit 1 }
   league = server == "rcssserver3d"
@@ -35,6 +42,7 @@ END {
   printf "| |"; for (t = 1; t <= teams; ++t) printf " %s |", order[t]; print ""
   printf "|---|"; for (t = 1; t <= teams; ++t) printf "---|"; print ""
   printf "| games won, drawn, lost |"; for (t = 1; t <= teams; ++t) printf " %d, %d, %d |", won[order[t]], drawn[order[t]], lost[order[t]]; print ""
+  printf "| goal difference |"; for (t = 1; t <= teams; ++t) printf " %.2f ± %.2f |", difference[order[t]] / n[order[t]], difference95(order[t]); print ""
   for (i = 1; i <= measures; ++i) {
     printf "| %s |", title[i]
     for (t = 1; t <= teams; ++t)
@@ -55,6 +63,11 @@ END {
         (text == "[" ? "" : ","), key, tolower(team), name[i], sum[team, i] / count[team, i], unit[i], better[i], \
         (team == "Team" && i in target ? ", \"target\": " target[i] : ""))
     }
+  }
+  if (players && n["Team"] > 1) {
+    mean = difference["Team"] / n["Team"]
+    text = text sprintf(",\n  {\"name\": \"games.%steam.goal_difference\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\"}", key, mean)
+    text = text sprintf(",\n  {\"name\": \"games.%steam.goal_difference_lower_end\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\", \"target\": 0}", key, mean - difference95("Team"))
   }
   won_ = won["Team"] / n["Team"]
   text = text sprintf(",\n  {\"name\": \"games.%steam.won_of_%d\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\"%s}", \
