@@ -6,6 +6,7 @@
 #include "field/FieldSize.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
+#include "trials/TaskOptions.h"
 
 namespace plumbline {
 
@@ -14,14 +15,15 @@ MAKE_MODULE(OptimizeKick)
 namespace {
 
 constexpr double radius = FieldSize().ballRadius;  ///< of the ball [m]
-constexpr double sameBall = 0.03;                ///< a ball this near to where it was put has come there [m]
-constexpr double patience = 3;                   ///< with a command, then it is given again [s]
-constexpr double mostBlind = 5;                  ///< without ground truth [s]
-constexpr double mostRoll = 0.01;                ///< way in half a second of a ball that rests [m]
-constexpr double mostTiltAfter = 30 * pi / 180;  ///< of a robot that stands after the kick [rad]
-constexpr double mostTiltBefore = 0.3;           ///< of one that stands before it [rad]
-/// Nothing stands in the way of a ball that is kicked forward from here; the ball waits elsewhere [m].
-const Pose2 place(Vec2(-10, 5), 0);
+constexpr double sameBall = 0.03;       ///< a ball this near to where it was put has come there [m]
+constexpr double patience = 3;          ///< with a command, then it is given again [s]
+constexpr double mostBlind = 5;         ///< without ground truth [s]
+constexpr double mostRoll = 0.01;       ///< way in half a second of a ball that rests [m]
+constexpr double mostTiltBefore = 0.3;  ///< of a robot that stands before the kick [rad]
+constexpr double lyingTilt = pi / 2;    ///< of one that fell after it [rad]
+/// Nothing stands in the way of a ball that is kicked along the field from here, and the ball waits elsewhere
+/// [m].
+const Vec2 place(-10, 5);
 const Vec2 aside(-10, -5);
 
 }  // namespace
@@ -51,7 +53,8 @@ void OptimizeKick::enter(Phase phase) {
 }
 
 void OptimizeKick::placeRobot() {
-  const Pose2 there = onField(place);
+  // The ball goes along the field in any wanted direction: over a side line the referee would put it back.
+  const Pose2 there = onField(Pose2(place, -fromDegrees(options_.direction)));
   const Vec2 ball = onField(Pose2(aside, 0)).position;
   const simspark::TeamSide side =
       thePlayerInfo->leftSide ? simspark::TeamSide::left : simspark::TeamSide::right;
@@ -65,7 +68,7 @@ void OptimizeKick::placeRobot() {
 
 void OptimizeKick::placeBall() {
   from_ = groundPose(theGroundTruth->T_field_torso);
-  const double spread = theOptimizationTrial->spread;
+  const double spread = options_.spread;
   const double x = random_.uniform(-spread, spread), y = random_.uniform(-spread, spread);
   ball_ = from_ * Vec2(theSearchedMotionOutput->ball + Vec2(x, y));
   const Vec2 there = onField(Pose2(ball_, 0)).position;
@@ -74,7 +77,7 @@ void OptimizeKick::placeBall() {
 
 /// Waits until the robot stands where it was put, and until the motions are free.
 void OptimizeKick::stand() {
-  const bool there = (groundPose(theGroundTruth->T_field_torso).position - place.position).norm() < 0.5;
+  const bool there = (groundPose(theGroundTruth->T_field_torso).position - place).norm() < 0.5;
   const bool free = theMotionSelection && theMotionSelection->motion == Motion::stand;
   if (!there || !free || theFallState->lying() || tilt() > mostTiltBefore) {
     if (seconds_ > patience && !theFallState->lying()) placeRobot();
@@ -85,7 +88,7 @@ void OptimizeKick::stand() {
 
 void OptimizeKick::kick() {
   if (selected()) {
-    try_.milliseconds += 1e3 * theFrameInfo->cycleSeconds;
+    milliseconds_ += 1e3 * theFrameInfo->cycleSeconds;
     if (!theMotionSelection->started && theSearchedMotionOutput->finished) enter(Phase::walking);
   } else if (seconds_ > patience) {
     placeRobot();  // it fell before it began
@@ -93,9 +96,11 @@ void OptimizeKick::kick() {
 }
 
 void OptimizeKick::walk() {
-  try_.error += tilt();
-  if (seconds_ < walkSeconds) return;
-  result_.up = tilt() < mostTiltAfter;
+  // The agent would stand up, which a worker's robot does not: it counts as if it lay on.
+  fell_ = fell_ || theFallState->lying();
+  error_ += fell_ ? lyingTilt : tilt();
+  if (++walked_ * theFrameInfo->cycleSeconds < options_.walk) return;
+  up_ = !fell_ && AfterMotion::upright(tilt());
   last_ = theGroundTruth->ball.head<2>();
   enter(Phase::rolling);
 }
@@ -109,14 +114,26 @@ void OptimizeKick::roll() {
     lastAt_ = seconds_;
     if (way > mostRoll) return;
   }
-  try_.way = Eigen::Rotation2Dd(-from_.heading) * (now - ball_);
-  const OptimizationTrial& trial = *theOptimizationTrial;
-  result_.number = trial.number;
-  result_.cost = motion::KickWish{trial.distance, trial.weight, trial.steady}.cost(try_);
-  result_.distance = try_.way.x();
-  result_.direction = toDegrees(try_.direction());
-  result_.time = try_.milliseconds;
-  result_.error = try_.error;
+  finish(now);
+}
+
+void OptimizeKick::begin() {
+  options_ = TaskOptions::ofLines(theOptimizationTrial->options).as<KickOptions>();
+  random_ = Random(theOptimizationTrial->seed);
+  after_ = AfterMotion::drawn([this](double low, double high) { return random_.uniform(low, high); },
+                              options_.still);
+  placeRobot();
+}
+
+void OptimizeKick::finish(const Vec2& ball) {
+  const TaskOutcome outcome = measure_->outcome({ball, milliseconds_, error_, up_});
+  result_ = {};
+  result_.number = theOptimizationTrial->number;
+  result_.cost = outcome.cost;
+  for (const auto& [name, value] : outcome.figures) {
+    result_.figures.push_back(name);
+    result_.values.push_back(value);
+  }
   enter(Phase::waiting);
 }
 
@@ -126,16 +143,15 @@ void OptimizeKick::decide() {
   if (theFrameInfo->restarted) enter(Phase::waiting);
   switch (phase_) {
     case Phase::waiting:
-      if (theOptimizationTrial->number == result_.number) return;
-      random_ = Random(theOptimizationTrial->seed);
-      walkWay_ = random_.uniform(-pi, pi);
-      walkTurn_ = random_.uniform(-0.5, 0.5);
-      return placeRobot();
+      return theOptimizationTrial->number == result_.number ? void() : begin();
     case Phase::standing:
       return stand();
     case Phase::ball:
       if ((theGroundTruth->ball.head<2>() - ball_).norm() < sameBall && seconds_ > 0.1) {
-        try_ = {};
+        measure_.emplace(options_, from_, ball_);
+        milliseconds_ = error_ = 0;
+        walked_ = 0;
+        fell_ = up_ = false;
         enter(Phase::kicking);
       } else if (seconds_ > patience) {
         placeRobot();
@@ -155,16 +171,16 @@ void OptimizeKick::update(MotionRequest* theMotionRequest) {
   if (theGroundTruth->valid && thePlayerInfo->number > 0) {
     blind_ = 0;
     if (phase_ == Phase::kicking || phase_ == Phase::walking || phase_ == Phase::rolling)
-      try_.height = std::max(try_.height, theGroundTruth->ball.z() - radius);
+      measure_->see(theGroundTruth->ball);
     decide();
   } else if ((blind_ += theFrameInfo->cycleSeconds) > mostBlind) {
     requestStop(2, "the simulator sends no ground truth: start it with --ground-truth");
   }
   if (phase_ == Phase::kicking) theMotionRequest->motion = SearchedMotionOutput::name;
-  if (phase_ == Phase::walking) {
+  if (phase_ == Phase::walking && !after_.stands) {
     theMotionRequest->motion = Motion::walk;
-    theMotionRequest->walkVelocity = walkSpeed * Vec2(std::cos(walkWay_), std::sin(walkWay_));
-    theMotionRequest->walkTurn = walkTurn_;
+    theMotionRequest->walkVelocity = after_.velocity;
+    theMotionRequest->walkTurn = after_.turn;
   }
 }
 

@@ -1,10 +1,10 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "framework/Module.h"
 #include "math/Random.h"
 #include "modules/simspark/Monitor.h"
-#include "motion/SearchedKick.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GroundTruth.h"
 #include "representations/infrastructure/PlayerInfo.h"
@@ -14,6 +14,8 @@
 #include "representations/optimization/OptimizationResult.h"
 #include "representations/optimization/OptimizationTrial.h"
 #include "representations/optimization/SearchedMotionOutput.h"
+#include "trials/AfterMotion.h"
+#include "trials/KickMeasure.h"
 
 namespace plumbline {
 
@@ -28,15 +30,13 @@ MODULE(OptimizeKick)
   PROVIDES(MotionRequest)
   PROVIDES(OptimizationResult)
   PARAMETER(double, standSeconds, 0.8, "s", Range(0.1, 10), "on its feet before the ball comes")
-  PARAMETER(double, walkSeconds, 2, "s", Range(0.1, 10), "walk right after the kick")
-  PARAMETER(double, walkSpeed, 0.3, "m/s", Range(0, 1), "of that walk, into a random direction")
   PARAMETER(double, rollSeconds, 15, "s", Range(1, 60),
             "a ball that rolls for longer counts as stopped where it is then")
 END_MODULE
 
-/// Repeats the kick of the open trial: a trainer puts robot and ball to their places, the robot kicks and
-/// then walks. The simulator's ground truth measures the ball. In modules.cfg this module replaces behaviour
-/// and skills.
+/// Repeats the kick of the open trial, by the options of the task kick: a trainer puts robot and ball to
+/// their places, the robot kicks and then walks or stands. The simulator's ground truth measures the ball. In
+/// modules.cfg this module replaces behaviour and skills.
 class OptimizeKick : public OptimizeKickBase {
 public:
   void init() override;
@@ -47,6 +47,8 @@ private:
   enum class Phase { waiting, standing, ball, kicking, walking, rolling };
 
   void enter(Phase phase);
+  void begin();
+  void finish(const Vec2& ball);
   void decide();
   void placeRobot();
   void placeBall();
@@ -68,8 +70,12 @@ private:
   Pose2 from_;         ///< of the robot when the ball was put
   Vec2 ball_, last_;   ///< where it was put, and where it was half a second ago [m]
   double lastAt_ = 0;  ///< time in the phase
-  double walkWay_ = 0, walkTurn_ = 0;
-  motion::KickTry try_;
+  KickOptions options_;
+  AfterMotion after_;
+  std::optional<KickMeasure> measure_;
+  double milliseconds_ = 0, error_ = 0;  ///< as KickMeasure::End
+  int walked_ = 0;                       ///< cycles after the kick
+  bool fell_ = false, up_ = false;       ///< in these, and at their end
   OptimizationResult result_;
 };
 

@@ -4,6 +4,7 @@
 
 #include "math/Angle.h"
 #include "motion/KeyframeReader.h"
+#include "motion/SearchedKick.h"
 #include "simspark/LeagueRobots.h"
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"
@@ -23,7 +24,8 @@ protected:
     harness.input<FrameInfo>().cycleSeconds = 0.1;
     trial.open = true;
     trial.number = 0;
-    trial.motion = "kick";
+    trial.task = "kick";
+    trial.options = {"motion=kick"};
     trial.parameters = begun(Side::right);
   }
   /// The numbers that the search begins with.
@@ -72,7 +74,7 @@ TEST_F(SearchedMotionTest, theNextTrialIsTakenByItsNumber) {
 }
 
 TEST_F(SearchedMotionTest, theLeftFootKicksInTheMirrorImage) {
-  trial.foot = Side::left;
+  trial.options.emplace_back("side=left");
   trial.parameters = begun(Side::left);
   play(2);
   EXPECT_NEAR(output.targets.angles[lHipPitch], fromDegrees(-20), 0.02);
@@ -87,13 +89,13 @@ TEST_F(SearchedMotionTest, withoutATrialItStands) {
 }
 
 TEST_F(SearchedMotionTest, whatCannotBeTriedEndsTheAgent) {
-  trial.motion = "kik";
+  trial.options = {"motion=kik"};
   harness.cycle();
   EXPECT_EQ(stopped(), "there is no motion kik in motions/; did you mean \"kick\"?");
 }
 
 TEST_F(SearchedMotionTest, aMotionWithoutABallIsNoKick) {
-  trial.motion = "bow";
+  trial.options = {"motion=bow"};
   harness.cycle();
   EXPECT_EQ(stopped(), "bow is no kick: it has no ball");
 }
