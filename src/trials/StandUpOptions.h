@@ -1,6 +1,7 @@
 #pragma once
 #include <string>
 
+#include "motion/StandUpChoice.h"
 #include "trials/WorldOptions.h"
 
 namespace plumbline {
@@ -24,9 +25,17 @@ struct StandUpOptions {
             "motion may need the walk's steps to stay upright")
   PARAMETER_GROUP(WorldOptions, world, "robot and worlds")
 
+  static constexpr double walkSeconds = 2;  ///< of what follows the motion (AfterMotion)
+
   /// As MotionTrial::fall has it: front (1), back (-1) or side (0).
   int side() const { return direction == "front" ? 1 : direction == "back" ? -1 : 0; }
   bool inPlay() const { return start == "fall"; }
+  /// The motion to begin with, by its name.
+  std::string firstMotion() const {
+    const motion::StandUpParameters usual;
+    if (!motion.empty()) return motion;
+    return direction == "front" ? usual.front : direction == "back" ? usual.back : usual.side;
+  }
 };
 
 }  // namespace plumbline

@@ -2,7 +2,7 @@
 # What it cannot do is said in one line.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 cp -r config "$scratch/config"
-echo 'rollSeconds: 2' > "$scratch/config/OptimizeKick.yaml"
+echo 'rollSeconds: 2' > "$scratch/config/OptimizeMotion.yaml"
 agent() { # options of the client
   printf '%s\n' "$@" > "$scratch/config/OptimizationClient.yaml"
   (cd "$scratch" && within 240 "$bin/agent" --config "$scratch/config" --crash-log "$scratch/crash.log" --start-simulator \
@@ -53,8 +53,8 @@ expectEqual "$(judged byWorker | grep -c ' agrees$')" 4 "costs of the worker tha
 expectEqual "$(judged byAgent)" "$(judged byWorker)" "what the agent judged and how"
 
 # A server that is killed and started again is waited for. Ctrl-C ends an agent that waits for one that does not come.
-begin() { # options of the client: an agent in the background
-  printf '%s\n' "$@" > "$scratch/config/OptimizationClient.yaml"
+begin() { # options of the client; none: the same again. An agent in the background
+  (($# == 0)) || printf '%s\n' "$@" > "$scratch/config/OptimizationClient.yaml"
   (cd "$scratch" && exec "$bin/agent" --config "$scratch/config" --crash-log "$scratch/crash.log" --start-simulator \
     --modules "$scratch/config/platforms/simspark/optimise.cfg" --simulator-option=--sync "${simulator[@]}" 2> agent.err > agent.out) & agent=$!
 }
@@ -95,8 +95,35 @@ serve low
 status=0; agent "port: $(< "$scratch/low/port")" || status=$?
 expectEqual "$status" 2 "status with an option that an agent does not heed"
 grep -q "the server's task kick has the option engine; an agent cannot try that, bin/optworker can" "$scratch/agent.err" || fail "not said: $(< "$scratch/agent.err")"
-sed 's/task: kick/task: standUp/' "$scratch/plain.yaml" > "$scratch/study.yaml"
+sed 's/task: kick/task: dive/' "$scratch/plain.yaml" > "$scratch/study.yaml"
 serve other
 status=0; agent "port: $(< "$scratch/other/port")" || status=$?
 expectEqual "$status" 2 "status with another task"
-grep -q "the server's task is standUp; an agent can try kicks (task kick)" "$scratch/agent.err" || fail "not said: $(< "$scratch/agent.err")"
+grep -q "the server's task is dive; an agent can try the tasks kick and standUp" "$scratch/agent.err" || fail "not said: $(< "$scratch/agent.err")"
+
+# Two agents, each with a simulator of its own, stand up for one server. The tries are judged as a worker judges them.
+cat > "$scratch/study.yaml" << END
+task: standUp
+options: {type: 0, direction: back, motion: standUpBackFast, weight: 0.03, still: 0.3}
+population: 8
+sigma: 0.0001
+sameSeeds: false
+generations: 3
+END
+simulator=(--simulator-option=--ground-truth)
+serve standing
+begin "port: $(< "$scratch/standing/port")"
+first=$agent
+begin
+wait "$first" || fail "the first agent ended with $?: $(< "$scratch/agent.err")"
+wait "$agent" || fail "the second agent ended with $?: $(< "$scratch/agent.err")"
+wait "$server" || fail "the server ended with $?"
+results=$(sed 1d "$scratch/standing/evaluations.jsonl")
+expectEqual "$(wc -l <<< "$results")" 24 "results of standing up"
+expectEqual "$(grep -o '"worker":"agent-[0-9]*' <<< "$results" | sort -u | wc -l)" 2 "agents that brought results"
+while IFS= read -r line; do
+  awk -v cost="$(figure costs)" -v error="$(figure error)" -v time="$(figure time)" 'BEGIN {
+    difference = cost - error - 0.03 * time
+    exit !(difference < 0.01 && difference > -0.01) }' || fail "not the cost of its figures: $line"
+done <<< "$results"
+(($(grep -c '"up":1' <<< "$results") >= 12)) || fail "a good motion brings fewer than half of the robots onto their feet"

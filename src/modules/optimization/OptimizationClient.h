@@ -21,7 +21,8 @@ MODULE(OptimizationClient)
   USES(OptimizationResult)
   PROVIDES(OptimizationTrial)
   PARAMETER(std::string, host, "127.0.0.1", "", Range(),
-            "where bin/optserver runs with a study of the task kick; empty: the optimiser is in the agent")
+            "where bin/optserver runs with a study of the task kick or standUp; empty: the optimiser is in "
+            "the agent")
   PARAMETER(int, port, 3400, "", Range(1, 65535), "its port")
   PARAMETER(std::string, token, "", "", Range(), "the server's token, if it needs one")
   PARAMETER(double, patience, 30, "s", Range(0, 1e6),

@@ -39,9 +39,9 @@ private:
   bool fits(const MotionTrial& trial) const;
   bool falls(MotionTrial& trial, std::uint64_t seed) const;
 
+  const StandUpOptions options_;
   const int direction_;  ///< 1: on the front, -1: on the back, 0: on a side
-  const double weight_, still_;
-  const bool moving_;  ///< a run begins with the motion of the fall
+  const bool moving_;    ///< a run begins with the motion of the fall
   TrialWorlds worlds_;
   motion::KeyframeMotion first_;
   std::unique_ptr<motion::MotionParameters> parameters_;

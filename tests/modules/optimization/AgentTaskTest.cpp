@@ -6,6 +6,7 @@
 
 #include "support/Thrown.h"
 #include "trials/KickOptions.h"
+#include "trials/StandUpOptions.h"
 
 namespace plumbline {
 namespace {
@@ -24,24 +25,42 @@ std::string otherValue(const Parameter& parameter, const ParameterPointer& value
   return parameterText(&greatest);
 }
 
-TEST(AgentTask, anOptionThatItDoesNotHeedIsRefused) {
-  KickOptions options;
-  const auto& heeded = AgentTask::heeded("kick");
+/// The options that it refuses, if it takes all others.
+template <typename Options>
+std::vector<std::string> refusedOptions(const std::string& task) {
+  Options options;
+  const auto& heeded = AgentTask::heeded(task);
   std::vector<std::string> refused;
-  KickOptions::parameterList().visit(
+  Options::parameterList().visit(
       &options, [&](const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
         const std::string name = optionName(path);
-        const std::string error = errorOf("kick", {{name, otherValue(parameter, value)}});
+        if (name == "direction" && parameter.words.size() == 3) return;  // front, back or side: below
+        const std::string error = errorOf(task, {{name, otherValue(parameter, value)}});
         if (std::ranges::find(heeded, name) != heeded.end()) {
           EXPECT_EQ(error, "nothing thrown") << name;
-        } else {
-          refused.push_back(name);
-          EXPECT_EQ(error, "the server's task kick has the option " + name +
-                               "; an agent cannot try that, bin/optworker can");
+          return;
         }
+        refused.push_back(name);
+        EXPECT_EQ(error, "the server's task " + task + " has the option " + name +
+                             "; an agent cannot try that, bin/optworker can");
       });
-  EXPECT_EQ(refused, (std::vector<std::string>{"engine", "effects", "draws", "firstDraw"}))
-      << "what is in the simulator alone; an option that is new has to be heeded, too";
+  return refused;
+}
+
+TEST(AgentTask, anOptionThatItDoesNotHeedIsRefused) {
+  // What is in the simulator alone; an option that is new has to be heeded, too.
+  EXPECT_EQ(refusedOptions<KickOptions>("kick"),
+            (std::vector<std::string>{"engine", "effects", "draws", "firstDraw"}));
+  EXPECT_EQ(refusedOptions<StandUpOptions>("standUp"),
+            (std::vector<std::string>{"start", "engine", "effects", "draws", "firstDraw"}));
+}
+
+TEST(AgentTask, standsUpFromFrontAndBackAlone) {
+  EXPECT_EQ(errorOf("standUp", {{"direction", "back"}}), "nothing thrown");
+  EXPECT_EQ(
+      errorOf("standUp", {{"direction", "side"}}),
+      "the server's task standUp has the option direction with the value side; an agent cannot try that, "
+      "bin/optworker can");
 }
 
 TEST(AgentTask, anOptionThatIsGivenWithItsDefaultIsNoReason) {
@@ -53,7 +72,7 @@ TEST(AgentTask, mistakesAreSaidAsTheTaskSaysThem) {
             "the server's task kick: option direction: \"left\" is no number from -180 to 180");
   EXPECT_EQ(errorOf("kick", {{"directoin", "30"}}),
             "the server's task kick: unknown option \"directoin\"; did you mean \"direction\"?");
-  EXPECT_EQ(errorOf("dive", {}), "the server's task is dive; an agent can try kicks (task kick)");
+  EXPECT_EQ(errorOf("dive", {}), "the server's task is dive; an agent can try the tasks kick and standUp");
 }
 
 }  // namespace

@@ -88,6 +88,18 @@ TEST_F(SearchedMotionTest, withoutATrialItStands) {
   EXPECT_FALSE(output.targets.set[rHipPitch]);
 }
 
+TEST_F(SearchedMotionTest, playsAStandUpOfTheTaskStandUp) {
+  trial.task = "standUp";
+  trial.options = {"motion=bow"};
+  trial.parameters.clear();
+  const auto motions = motion::readMotions({folder / "motions"}, robot.model);
+  const motion::MotionParameters numbers(*findMotion(motions, "bow"), robot.model);
+  for (const motion::SearchedNumber& one : numbers.list()) trial.parameters.push_back(one.start);
+  play(3);
+  EXPECT_TRUE(output.finished);
+  EXPECT_NEAR(output.targets.angles[rHipPitch], fromDegrees(-20), 0.02);
+}
+
 TEST_F(SearchedMotionTest, whatCannotBeTriedEndsTheAgent) {
   trial.options = {"motion=kik"};
   harness.cycle();

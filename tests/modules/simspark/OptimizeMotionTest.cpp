@@ -1,4 +1,4 @@
-#include "modules/simspark/OptimizeKick.h"
+#include "modules/simspark/OptimizeMotion.h"
 
 #include <gtest/gtest.h>
 
@@ -62,7 +62,7 @@ struct PlayedKick {
 
   test::FakeServer server;
   std::shared_ptr<Monitor> monitor = std::make_shared<Monitor>();
-  test::ModuleHarness<OptimizeKick> harness;
+  test::ModuleHarness<OptimizeMotion> harness;
   GroundTruth& truth = harness.input<GroundTruth>();
   PlayerInfo& player = harness.input<PlayerInfo>();
   FallState& fall = harness.input<FallState>();
@@ -74,9 +74,9 @@ struct PlayedKick {
   std::vector<std::string> commands;
 };
 
-class OptimizeKickTest : public testing::Test, protected PlayedKick {};
+class OptimizeMotionTest : public testing::Test, protected PlayedKick {};
 
-TEST_F(OptimizeKickTest, putsRobotAndBallKicksWalksAndMeasures) {
+TEST_F(OptimizeMotionTest, putsRobotAndBallKicksWalksAndMeasures) {
   begin();
   EXPECT_EQ(commands, (std::vector<std::string>{
                           "(time 0.000000)", "(playMode PlayOn)",
@@ -99,7 +99,7 @@ TEST_F(OptimizeKickTest, putsRobotAndBallKicksWalksAndMeasures) {
   EXPECT_EQ(request.motion, Motion::stand);
 }
 
-TEST_F(OptimizeKickTest, aKickAsideIsPutSoThatTheBallGoesAlongTheFieldAndJudgedInItsDirection) {
+TEST_F(OptimizeMotionTest, aKickAsideIsPutSoThatTheBallGoesAlongTheFieldAndJudgedInItsDirection) {
   trial.options.emplace_back("direction=30");
   harness.cycle();
   server.accept();
@@ -118,7 +118,7 @@ TEST_F(OptimizeKickTest, aKickAsideIsPutSoThatTheBallGoesAlongTheFieldAndJudgedI
   EXPECT_NEAR(figure("off"), 0, 1e-9);
 }
 
-TEST_F(OptimizeKickTest, theWalkLastsAsLongAsTheTaskSays) {
+TEST_F(OptimizeMotionTest, theWalkLastsAsLongAsTheTaskSays) {
   trial.options.emplace_back("walk=0.8");
   begin();
   kick(5);
@@ -131,7 +131,7 @@ TEST_F(OptimizeKickTest, theWalkLastsAsLongAsTheTaskSays) {
   EXPECT_NEAR(figure("error"), 0.1 * 8, 1e-9);
 }
 
-TEST_F(OptimizeKickTest, itStandsInsteadOfWalkingWhereTheTaskSaysSo) {
+TEST_F(OptimizeMotionTest, itStandsInsteadOfWalkingWhereTheTaskSaysSo) {
   trial.options.emplace_back("still=1");
   begin();
   kick(5);
@@ -161,7 +161,7 @@ std::string whatHappens(const std::string& option) {
   return text + ' ' + std::to_string(played.result.cost);
 }
 
-TEST(OptimizeKick, everyOptionThatAnAgentHeedsMakesADifference) {
+TEST(OptimizeMotion, everyOptionThatAnAgentHeedsMakesADifference) {
   const std::map<std::string_view, std::string> others = {
       {"direction", "0.5"}, {"distance", "5"},  {"weight", "1"}, {"steady", "9"},
       {"ceiling", "0.6"},   {"spread", "0.02"}, {"walk", "0.8"}, {"still", "1"}};
@@ -173,21 +173,21 @@ TEST(OptimizeKick, everyOptionThatAnAgentHeedsMakesADifference) {
   }
 }
 
-TEST_F(OptimizeKickTest, onTheRightSideTheCommandsAreTurnedRound) {
+TEST_F(OptimizeMotionTest, onTheRightSideTheCommandsAreTurnedRound) {
   player.leftSide = false;
   begin();
   EXPECT_EQ(commands[3], "(agent (unum 3)(team Right)(move 10.000000 -5.000000 0.400000 90.000000))");
   EXPECT_EQ(commands[4], "(ball (pos 9.800000 -4.950000 0.042000)(vel 0.000000 0.000000 0.000000))");
 }
 
-TEST_F(OptimizeKickTest, oneThatLiesGetsUpBeforeTheBallComes) {
+TEST_F(OptimizeMotionTest, oneThatLiesGetsUpBeforeTheBallComes) {
   fall.posture = Posture::onFront;
   harness.cycle(100);
   EXPECT_EQ(request.motion, Motion::stand);
   EXPECT_EQ(result.number, -1);
 }
 
-TEST_F(OptimizeKickTest, aRobotThatFellAfterTheKickIsNotUp) {
+TEST_F(OptimizeMotionTest, aRobotThatFellAfterTheKickIsNotUp) {
   begin();
   kick(5);
   truth.T_field_torso = truth.T_field_torso * rotationY(1.2);
@@ -197,19 +197,66 @@ TEST_F(OptimizeKickTest, aRobotThatFellAfterTheKickIsNotUp) {
   EXPECT_NEAR(figure("error"), 1.2 * 20, 1.3) << "summed over the walk";
 }
 
-TEST_F(OptimizeKickTest, aRobotThatFellAndStoodUpIsNotUpEither) {
+TEST_F(OptimizeMotionTest, aRobotThatFallsDoesNotStandUpBeforeItsTryIsOver) {
   begin();
+  EXPECT_TRUE(request.staysDown);
   kick(5);
-  harness.cycle(5);
-  fall.posture = Posture::onFront;
-  harness.cycle(5);
-  fall.posture = Posture::upright;
-  harness.cycle(20);
-  EXPECT_EQ(figure("up"), 0);
-  EXPECT_NEAR(figure("error"), pi / 2 * 15, 1e-9) << "as if it lay on, as a worker's robot does";
+  harness.cycle(19);
+  EXPECT_TRUE(request.staysDown);
+  harness.cycle(2);
+  EXPECT_FALSE(request.staysDown);
 }
 
-TEST_F(OptimizeKickTest, withoutGroundTruthItEndsTheAgentInFiveSeconds) {
+/// A try of standing up until the motion begins.
+class OptimizeStandUpTest : public OptimizeMotionTest {
+protected:
+  void lie(const std::string& direction, Posture posture, const std::string& still = "0") {
+    trial.task = "standUp";
+    trial.options = {"weight=0.03", "direction=" + direction, "still=" + still};
+    harness.cycle();
+    server.accept();
+    harness.cycle(9);
+    EXPECT_EQ(request.motion, FallOverOutput::name);
+    EXPECT_TRUE(request.staysDown);
+    truth.T_field_torso = truth.T_field_torso * rotationY(1.5);
+    fall.posture = posture;
+    harness.cycle(6);
+  }
+};
+
+TEST_F(OptimizeStandUpTest, fallsPlaysTheMotionWalksAndMeasures) {
+  lie("front", Posture::onFront);
+  EXPECT_EQ(request.motion, SearchedMotionOutput::name);
+  robotAt(Pose2(-10, 5, 0));
+  kick(7);
+  fall.posture = Posture::upright;
+  EXPECT_EQ(request.motion, Motion::walk);
+  truth.T_field_torso = truth.T_field_torso * rotationY(0.1);
+  harness.cycle(21);
+  EXPECT_EQ(result.number, 0);
+  EXPECT_EQ(result.figures, (std::vector<std::string>{"time", "error", "up"}));
+  EXPECT_NEAR(figure("time"), 700, 1e-9);
+  EXPECT_NEAR(figure("error"), 0.1 * 20, 1e-9);
+  EXPECT_EQ(figure("up"), 1);
+  EXPECT_NEAR(result.cost, 0.1 * 20 + 0.03 * 700, 1e-9);
+}
+
+TEST_F(OptimizeStandUpTest, itStandsInsteadOfWalkingWhereTheTaskSaysSo) {
+  lie("front", Posture::onFront, "1");
+  kick(7);
+  EXPECT_EQ(request.motion, Motion::stand);
+  EXPECT_TRUE(request.staysDown) << "its try goes on";
+}
+
+TEST_F(OptimizeStandUpTest, aRobotThatFellTheOtherWayFallsOnceMore) {
+  lie("back", Posture::onFront);
+  EXPECT_EQ(request.motion, FallOverOutput::name);
+  harness.cycle(40);
+  EXPECT_EQ(request.motion, Motion::stand) << "it was put onto its feet";
+  EXPECT_EQ(result.number, -1);
+}
+
+TEST_F(OptimizeMotionTest, withoutGroundTruthItEndsTheAgentInFiveSeconds) {
   truth.valid = false;
   harness.cycle(49);
   EXPECT_FALSE(harness.stop().requested());
@@ -218,7 +265,7 @@ TEST_F(OptimizeKickTest, withoutGroundTruthItEndsTheAgentInFiveSeconds) {
   EXPECT_EQ(harness.stop().reason(), "the simulator sends no ground truth: start it with --ground-truth");
 }
 
-TEST_F(OptimizeKickTest, withoutATrainersPortItEndsTheAgent) {
+TEST_F(OptimizeMotionTest, withoutATrainersPortItEndsTheAgent) {
   {
     test::FakeServer gone;
     monitor->setServer("127.0.0.1", gone.port());

@@ -1,4 +1,4 @@
-#include "modules/simspark/OptimizeKick.h"
+#include "modules/simspark/OptimizeMotion.h"
 
 #include <algorithm>
 #include <cmath>
@@ -6,11 +6,12 @@
 #include "field/FieldSize.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
+#include "trials/StandUpMeasure.h"
 #include "trials/TaskOptions.h"
 
 namespace plumbline {
 
-MAKE_MODULE(OptimizeKick)
+MAKE_MODULE(OptimizeMotion)
 
 namespace {
 
@@ -19,8 +20,8 @@ constexpr double sameBall = 0.03;       ///< a ball this near to where it was pu
 constexpr double patience = 3;          ///< with a command, then it is given again [s]
 constexpr double mostBlind = 5;         ///< without ground truth [s]
 constexpr double mostRoll = 0.01;       ///< way in half a second of a ball that rests [m]
-constexpr double mostTiltBefore = 0.3;  ///< of a robot that stands before the kick [rad]
-constexpr double lyingTilt = pi / 2;    ///< of one that fell after it [rad]
+constexpr double mostTiltBefore = 0.3;  ///< of a robot that stands before a try [rad]
+constexpr double lieSeconds = 0.5;      ///< until one that fell lies still [s]
 /// Nothing stands in the way of a ball that is kicked along the field from here, and the ball waits elsewhere
 /// [m].
 const Vec2 place(-10, 5);
@@ -28,33 +29,35 @@ const Vec2 aside(-10, -5);
 
 }  // namespace
 
-void OptimizeKick::init() { monitor_ = &object<Monitor>(); }
+void OptimizeMotion::init() { monitor_ = &object<Monitor>(); }
 
-double OptimizeKick::tilt() const {
+double OptimizeMotion::tilt() const {
   return std::acos(std::clamp(theGroundTruth->T_field_torso.linear()(2, 2), -1.0, 1.0));
 }
 
-bool OptimizeKick::selected() const {
+bool OptimizeMotion::selected() const {
   return theMotionSelection && theMotionSelection->motion == SearchedMotionOutput::name;
 }
 
-Pose2 OptimizeKick::onField(const Pose2& own) const {
+Pose2 OptimizeMotion::onField(const Pose2& own) const {
   return thePlayerInfo->leftSide ? own : Pose2(Vec2(-own.position), normalizeAngle(own.heading + pi));
 }
 
-bool OptimizeKick::command(bool sent) {
+bool OptimizeMotion::command(bool sent) {
   if (!sent) requestStop(2, "no trainer command reaches the simulator: " + monitor_->error());
   return sent;
 }
 
-void OptimizeKick::enter(Phase phase) {
+void OptimizeMotion::enter(Phase phase) {
   phase_ = phase;
   seconds_ = lastAt_ = 0;
 }
 
-void OptimizeKick::placeRobot() {
+void OptimizeMotion::placeRobot() {
+  milliseconds_ = error_ = lies_ = 0;
+  walked_ = 0;
   // The ball goes along the field in any wanted direction: over a side line the referee would put it back.
-  const Pose2 there = onField(Pose2(place, -fromDegrees(options_.direction)));
+  const Pose2 there = onField(Pose2(place, -direction_));
   const Vec2 ball = onField(Pose2(aside, 0)).position;
   const simspark::TeamSide side =
       thePlayerInfo->leftSide ? simspark::TeamSide::left : simspark::TeamSide::right;
@@ -66,9 +69,9 @@ void OptimizeKick::placeRobot() {
     enter(Phase::standing);
 }
 
-void OptimizeKick::placeBall() {
+void OptimizeMotion::placeBall() {
   from_ = groundPose(theGroundTruth->T_field_torso);
-  const double spread = options_.spread;
+  const double spread = kick_->spread;
   const double x = random_.uniform(-spread, spread), y = random_.uniform(-spread, spread);
   ball_ = from_ * Vec2(theSearchedMotionOutput->ball + Vec2(x, y));
   const Vec2 there = onField(Pose2(ball_, 0)).position;
@@ -76,17 +79,29 @@ void OptimizeKick::placeBall() {
 }
 
 /// Waits until the robot stands where it was put, and until the motions are free.
-void OptimizeKick::stand() {
+void OptimizeMotion::stand() {
   const bool there = (groundPose(theGroundTruth->T_field_torso).position - place).norm() < 0.5;
   const bool free = theMotionSelection && theMotionSelection->motion == Motion::stand;
   if (!there || !free || theFallState->lying() || tilt() > mostTiltBefore) {
     if (seconds_ > patience && !theFallState->lying()) placeRobot();
     return;
   }
-  if (seconds_ >= standSeconds && theSearchedMotionOutput) placeBall();
+  if (seconds_ < standSeconds || !theSearchedMotionOutput) return;
+  kick_ ? placeBall() : enter(Phase::falling);
 }
 
-void OptimizeKick::kick() {
+/// Waits until the robot lies as the task wants it; one that does not falls once more, in another way.
+void OptimizeMotion::fall() {
+  const Posture wanted = standUp_->side() > 0 ? Posture::onFront : Posture::onBack;
+  if (theFallState->posture != wanted) {
+    lies_ = 0;
+    if (seconds_ > patience) placeRobot();
+  } else if ((lies_ += theFrameInfo->cycleSeconds) >= lieSeconds) {
+    enter(Phase::playing);
+  }
+}
+
+void OptimizeMotion::play() {
   if (selected()) {
     milliseconds_ += 1e3 * theFrameInfo->cycleSeconds;
     if (!theMotionSelection->started && theSearchedMotionOutput->finished) enter(Phase::walking);
@@ -95,17 +110,16 @@ void OptimizeKick::kick() {
   }
 }
 
-void OptimizeKick::walk() {
-  // The agent would stand up, which a worker's robot does not: it counts as if it lay on.
-  fell_ = fell_ || theFallState->lying();
-  error_ += fell_ ? lyingTilt : tilt();
-  if (++walked_ * theFrameInfo->cycleSeconds < options_.walk) return;
-  up_ = !fell_ && AfterMotion::upright(tilt());
+void OptimizeMotion::walk() {
+  error_ += tilt();
+  if (++walked_ * theFrameInfo->cycleSeconds < (kick_ ? kick_->walk : StandUpOptions::walkSeconds)) return;
+  up_ = AfterMotion::upright(tilt());
+  if (standUp_) return finish(standUpOutcome(*standUp_, milliseconds_, error_, up_));
   last_ = theGroundTruth->ball.head<2>();
   enter(Phase::rolling);
 }
 
-void OptimizeKick::roll() {
+void OptimizeMotion::roll() {
   const Vec2 now = theGroundTruth->ball.head<2>();
   if (seconds_ < rollSeconds) {
     if (seconds_ - lastAt_ < 0.5) return;
@@ -114,19 +128,25 @@ void OptimizeKick::roll() {
     lastAt_ = seconds_;
     if (way > mostRoll) return;
   }
-  finish(now);
+  finish(measure_->outcome({now, milliseconds_, error_, up_}));
 }
 
-void OptimizeKick::begin() {
-  options_ = TaskOptions::ofLines(theOptimizationTrial->options).as<KickOptions>();
+void OptimizeMotion::begin() {
+  const TaskOptions options = TaskOptions::ofLines(theOptimizationTrial->options);
+  kick_.reset();
+  standUp_.reset();
+  if (theOptimizationTrial->task == "standUp")
+    standUp_ = options.as<StandUpOptions>();
+  else
+    kick_ = options.as<KickOptions>();
+  direction_ = kick_ ? fromDegrees(kick_->direction) : 0;
   random_ = Random(theOptimizationTrial->seed);
   after_ = AfterMotion::drawn([this](double low, double high) { return random_.uniform(low, high); },
-                              options_.still);
+                              kick_ ? kick_->still : standUp_->still);
   placeRobot();
 }
 
-void OptimizeKick::finish(const Vec2& ball) {
-  const TaskOutcome outcome = measure_->outcome({ball, milliseconds_, error_, up_});
+void OptimizeMotion::finish(const TaskOutcome& outcome) {
   result_ = {};
   result_.number = theOptimizationTrial->number;
   result_.cost = outcome.cost;
@@ -137,7 +157,7 @@ void OptimizeKick::finish(const Vec2& ball) {
   enter(Phase::waiting);
 }
 
-void OptimizeKick::decide() {
+void OptimizeMotion::decide() {
   seconds_ += theFrameInfo->cycleSeconds;
   if (!theOptimizationTrial->open) return enter(Phase::waiting);
   if (theFrameInfo->restarted) enter(Phase::waiting);
@@ -148,17 +168,16 @@ void OptimizeKick::decide() {
       return stand();
     case Phase::ball:
       if ((theGroundTruth->ball.head<2>() - ball_).norm() < sameBall && seconds_ > 0.1) {
-        measure_.emplace(options_, from_, ball_);
-        milliseconds_ = error_ = 0;
-        walked_ = 0;
-        fell_ = up_ = false;
-        enter(Phase::kicking);
+        measure_.emplace(*kick_, from_, ball_);
+        enter(Phase::playing);
       } else if (seconds_ > patience) {
         placeRobot();
       }
       return;
-    case Phase::kicking:
-      return kick();
+    case Phase::falling:
+      return fall();
+    case Phase::playing:
+      return play();
     case Phase::walking:
       return walk();
     case Phase::rolling:
@@ -166,17 +185,21 @@ void OptimizeKick::decide() {
   }
 }
 
-void OptimizeKick::update(MotionRequest* theMotionRequest) {
+void OptimizeMotion::update(MotionRequest* theMotionRequest) {
   *theMotionRequest = {};
   if (theGroundTruth->valid && thePlayerInfo->number > 0) {
     blind_ = 0;
-    if (phase_ == Phase::kicking || phase_ == Phase::walking || phase_ == Phase::rolling)
+    if (kick_ && (phase_ == Phase::playing || phase_ == Phase::walking || phase_ == Phase::rolling))
       measure_->see(theGroundTruth->ball);
     decide();
   } else if ((blind_ += theFrameInfo->cycleSeconds) > mostBlind) {
     requestStop(2, "the simulator sends no ground truth: start it with --ground-truth");
   }
-  if (phase_ == Phase::kicking) theMotionRequest->motion = SearchedMotionOutput::name;
+  // As in a worker, a robot that falls does not stand up before its try is over.
+  theMotionRequest->staysDown =
+      phase_ == Phase::falling || phase_ == Phase::playing || phase_ == Phase::walking;
+  if (phase_ == Phase::falling) theMotionRequest->motion = FallOverOutput::name;
+  if (phase_ == Phase::playing) theMotionRequest->motion = SearchedMotionOutput::name;
   if (phase_ == Phase::walking && !after_.stands) {
     theMotionRequest->motion = Motion::walk;
     theMotionRequest->walkVelocity = after_.velocity;
