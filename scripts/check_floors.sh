@@ -17,7 +17,7 @@ status=0
 # parameters, math, robot and optimization, "motion" the framework's readers of files as well.
 awk '
   BEGIN {
-    count = split("parameters math framework field robot optimization simspark tunnel simulation servo representations walking motion tactics inspect dds record pages modules training gap game watch web situation main", f, " ")
+    count = split("parameters math framework field robot optimization simspark tunnel simulation servo representations walking motion trials tactics inspect dds record pages modules training gap game watch web situation main", f, " ")
     for (i = 1; i <= count; ++i) floorOf[f[i]] = i
     split("parameters math robot optimization walking", w, " ")
     for (i in w) may["walking " w[i]] = may["motion " w[i]] = 1

@@ -344,7 +344,7 @@ about() { # kind, name, files
         ! grep -qE '^(kick|ball):' "$file" || stem=KickMotion
         row source "src/motion/, src/modules/motion/"
         row mirrors "$(sed -nE 's/^mirror: *([A-Za-z0-9_]+).*/\1 (scripts\/where.sh \1)/p' "$file")"
-        mapfile -t pieces < <(grep -rslF "\"$name\"" src/motion src/modules src/training | sort)
+        mapfile -t pieces < <(grep -rslF "\"$name\"" src/motion src/modules src/training src/trials | sort)
         row "chosen by" "$(printf '%s\n' "${pieces[@]}" | list 6)"
         pieces=("${pieces[@]/%.cpp/.h}")
         row "played by" "$stem (scripts/where.sh $stem)"

@@ -20,7 +20,7 @@ using farm::FarmClient;
 
 void work(FarmClient& client, const StopSignal& stop) {
   const std::unique_ptr<training::SearchTask> task =
-      training::makeTask(client.welcome().task, training::TaskOptions(client.welcome().options));
+      training::makeTask(client.welcome().task, TaskOptions(client.welcome().options));
   if (static_cast<std::int64_t>(task->parameters().size()) != client.welcome().parameters)
     throw ConfigurationError("the server's task " + client.welcome().task + " has " +
                              std::to_string(client.welcome().parameters) + " parameters, this program's " +
@@ -32,7 +32,7 @@ void work(FarmClient& client, const StopSignal& stop) {
     std::map<std::string, double> figures;
     for (const std::uint64_t seed : trial->seeds) {
       if (stop.requested()) return;
-      const training::TaskOutcome outcome = task->run(trial->parameters, seed);
+      const TaskOutcome outcome = task->run(trial->parameters, seed);
       costs.push_back(outcome.cost);
       for (const auto& [name, value] : outcome.figures)
         figures[name] += value / static_cast<double>(trial->seeds.size());

@@ -9,7 +9,8 @@
 #include <vector>
 
 #include "motion/MotionParameters.h"
-#include "training/TaskOptions.h"
+#include "trials/TaskOptions.h"
+#include "trials/TaskOutcome.h"
 
 namespace plumbline::training {
 
@@ -17,12 +18,6 @@ using TaskParameter = motion::SearchedNumber;
 
 /// The name of a figure's spread over many runs is the figure's and this.
 constexpr const char* deviationSuffix = ".deviation";
-
-/// What one run of a task gave: lower costs are better; the figures are for people.
-struct TaskOutcome {
-  double cost = 0;
-  std::vector<std::pair<std::string, double>> figures{};
-};
 
 /// Something that a search improves: parameters in, cost of a run out. A run depends only on parameters and
 /// seed, not on earlier runs. One thread at a time.

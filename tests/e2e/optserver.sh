@@ -41,6 +41,17 @@ cmp <(grep -v '^#' "$scratch/alone/found.yaml") <(grep -v '^#' "$scratch/farmed/
   fail "what was found depends on who evaluated when"
 expectEqual "$(sed 1d "$scratch/farmed/evaluations.jsonl" | sed 's/.*"trial":\([0-9]*\).*/\1/' | sort | uniq -d | wc -l)" 0 "trials counted twice"
 
+# Workers of the server's own find it at the address that it was given, with a token that no list of processes shows.
+mkdir "$scratch/bound"
+PLUMBLINE_TOKEN=secret-of-this-test "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/bound" --bind 127.0.0.2 --port 0 --workers 1 \
+  > "$scratch/bound.out" 2>&1 & server=$!
+waitFor grep -qs "generation.:1" "$scratch/bound/evaluations.jsonl"
+worker=$(pgrep -P "$server" -f '[o]ptworker') || fail "the server has no worker"
+tr '\0' ' ' < "/proc/$worker/cmdline" | grep -q -- "--host 127.0.0.2 " || fail "the worker has another address"
+tr '\0' ' ' < "/proc/$worker/cmdline" | grep -q secret-of-this-test && fail "the worker's arguments show the token"
+wait "$server" || fail "the server ended with $?: $(tail -3 "$scratch/bound.out")"
+grep -q "over (maxGenerations)" "$scratch/bound.out" || fail "the search did not end: $(tail -3 "$scratch/bound.out")"
+
 expectError 2 "optserver: port 0.0.0.0:0 is open to others: that needs a token" \
   "$bin/optserver" "$scratch/study.yaml" --folder "$scratch/open" --port 0 --bind 0.0.0.0
 sed 's/rosenbrock/rosenbroc/' "$scratch/study.yaml" > "$scratch/wrong.yaml"

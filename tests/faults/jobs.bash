@@ -255,7 +255,7 @@ agent_optimise_prepare() {
   rm config
   cp -r "$tree/config" config
   printf 'host: ""\npopulation: 4\nruns: 1\ngenerations: 1\nfound: found.kick.yaml\n' > config/OptimizationClient.yaml
-  echo 'rollSeconds: 1' > config/OptimizeKick.yaml
+  echo 'rollSeconds: 1' > config/OptimizeMotion.yaml
 }
 agent_optimise_run() {
   "$bin/agent" --config config --crash-log crash.log --start-simulator --modules config/platforms/simspark/optimise.cfg \

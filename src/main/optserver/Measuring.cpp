@@ -30,7 +30,7 @@ double deviation(std::vector<double> values) {
 std::map<std::string, double> measure(const training::Study& study, const std::string& what,
                                       const Eigen::VectorXd& values, int runs, std::uint64_t first) {
   const std::uint64_t fresh = (std::uint64_t{1} << 40) + first;  // beyond the 32 bits of a search's seeds
-  std::vector<training::TaskOutcome> outcomes(static_cast<std::size_t>(runs));
+  std::vector<TaskOutcome> outcomes(static_cast<std::size_t>(runs));
   const std::size_t jobs = static_cast<std::size_t>(std::min(threadsFor(0), runs));
   parallel(jobs, static_cast<int>(jobs), [&](std::size_t job) {
     const auto task = training::makeTask(study.task, study.options);
@@ -40,7 +40,7 @@ std::map<std::string, double> measure(const training::Study& study, const std::s
     }
   });
   std::map<std::string, std::pair<double, double>> sums;
-  for (const training::TaskOutcome& outcome : outcomes) {
+  for (const TaskOutcome& outcome : outcomes) {
     const auto add = [&](const std::string& name, double value) {
       sums[name].first += value / runs;
       sums[name].second += value * value / runs;
@@ -56,7 +56,7 @@ std::map<std::string, double> measure(const training::Study& study, const std::s
   std::fflush(stdout);
   std::map<std::string, double> means;
   std::map<std::string, std::vector<double>> all;
-  for (const training::TaskOutcome& outcome : outcomes)
+  for (const TaskOutcome& outcome : outcomes)
     for (const auto& [name, value] : outcome.figures) all[name].push_back(value);
   for (const auto& [name, sum] : sums) means[name] = sum.first;
   for (const auto& [name, values] : all) means[name + training::deviationSuffix] = deviation(values);

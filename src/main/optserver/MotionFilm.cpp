@@ -55,7 +55,7 @@ private:
 /// value for other tasks.
 std::optional<int> fallOf(const training::Study& study, training::MotionTrial& trial) {
   if (study.task != "standUp") return std::nullopt;
-  const auto options = study.options.as<training::StandUpOptions>();
+  const auto options = study.options.as<StandUpOptions>();
   const int direction = options.side();
   const bool inPlay = options.inPlay();
   for (int i = 0; i < falls; ++i) {

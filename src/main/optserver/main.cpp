@@ -63,12 +63,18 @@ void takeOption(const std::string& text, training::StudyChanges& changes) {
   changes.options[text.substr(0, equals)] = text.substr(equals + 1);
 }
 
+/// Where this machine reaches what listens at an address.
+std::string reachable(const std::string& address) { return address == "0.0.0.0" ? "127.0.0.1" : address; }
+
 /// Workers on this machine; a worker that ends before the search is started again, at most once a second.
 class LocalWorkers {
 public:
-  LocalWorkers(int count, int port, const std::string& token, const std::string& log) : log_(log) {
-    command_ = {programFolder() + "/optworker", "--port", std::to_string(port), "--config", configFolder()};
-    if (!token.empty()) command_.insert(command_.end(), {"--token", token});
+  LocalWorkers(int count, const farm::FarmAddress& server, const std::string& log) : log_(log) {
+    command_ = {programFolder() + "/optworker", "--host",   server.host,   "--port",
+                std::to_string(server.port),    "--config", configFolder()};
+    settings_.outputFile = log;
+    // A list of processes shows arguments to everybody.
+    if (!server.token.empty()) settings_.environment = {"PLUMBLINE_TOKEN=" + server.token};
     for (int i = 0; i < count; ++i) all_.emplace_back(start());
   }
   /// All get their signal before the first is waited for.
@@ -90,10 +96,11 @@ public:
 
 private:
   std::unique_ptr<simspark::ChildProcess> start() const {
-    return std::make_unique<simspark::ChildProcess>(command_, log_);
+    return std::make_unique<simspark::ChildProcess>(command_, settings_);
   }
   std::string log_;
   std::vector<std::string> command_;
+  simspark::ChildSettings settings_;
   std::list<std::unique_ptr<simspark::ChildProcess>> all_;
   double checked_ = 0;
 };
@@ -231,7 +238,8 @@ int serve(Options& options) {
              options.folder);
   std::fflush(stdout);
   writeFile(options.folder + "/port", std::to_string(server.port()) + "\n");
-  LocalWorkers workers(options.workers, server.port(), options.farm.token, options.folder + "/workers.log");
+  LocalWorkers workers(options.workers, {reachable(options.farm.address), server.port(), options.farm.token},
+                       options.folder + "/workers.log");
   Table table(study, options.every);
   server.onResult([&](std::span<const double> costs) { history.addResult(costs); });
   std::int64_t written = search.optimizer().generations();

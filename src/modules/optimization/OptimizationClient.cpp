@@ -2,13 +2,14 @@
 
 #include <unistd.h>
 
-#include <charconv>
-#include <limits>
+#include <new>
+#include <stdexcept>
 
 #include "framework/ConfigurationError.h"
+#include "framework/SteadyClock.h"
 #include "framework/WriteFile.h"
 #include "modules/motion/Motions.h"
-#include "motion/SearchedKick.h"
+#include "modules/optimization/AgentTask.h"
 #include "optimization/Optimizers.h"
 #include "optimization/farm/FarmClient.h"
 #include "robot/RobotTypes.h"
@@ -19,79 +20,93 @@ MAKE_MODULE(OptimizationClient)
 
 namespace {
 
-/// A number among a task's options; throws ConfigurationError for what is none.
-double number(const std::map<std::string, std::string>& options, const std::string& key, double fallback) {
-  const auto found = options.find(key);
-  if (found == options.end()) return fallback;
-  double value = 0;
-  const char* end = found->second.data() + found->second.size();
-  if (std::from_chars(found->second.data(), end, value).ptr != end)
-    throw ConfigurationError("the server's option " + key + ": \"" + found->second + "\" is no number");
-  return value;
-}
-
-std::string word(const std::map<std::string, std::string>& options, const std::string& key,
-                 const std::string& fallback) {
-  const auto found = options.find(key);
-  return found == options.end() ? fallback : found->second;
-}
+constexpr double betweenTries = 0.5;  ///< to reach a server that is not there [s]
 
 }  // namespace
 
 /// A search in this process.
 struct OptimizationClient::InAgent {
-  motion::SearchedKick kick;
+  std::unique_ptr<AgentTask> task;
   Search search;
 };
 
 OptimizationClient::OptimizationClient() = default;
 OptimizationClient::~OptimizationClient() = default;
 
+void OptimizationClient::want(const std::string& task, const TaskOptions& options) {
+  wanted_.task = task;
+  wanted_.options = options.lines();
+}
+
 void OptimizationClient::connect() {
   auto client = std::make_unique<farm::FarmClient>(farm::FarmAddress{host, port, token},
                                                    "agent-" + std::to_string(getpid()), stopDescriptor());
+  if (client->isOver()) {
+    source_ = std::move(client);
+    return;
+  }
   const farm::Welcome& welcome = client->welcome();
-  const auto& options = welcome.options;
-  if (welcome.task != "kick")
-    throw ConfigurationError("the server's task is " + welcome.task + "; an agent can try kicks (task kick)");
-  for (const char* key : {"ceiling", "engine", "effects", "draws"})
-    if (options.contains(key))
-      throw ConfigurationError(std::string("the server's kick has the option ") + key +
-                               "; an agent cannot try that, bin/optworker can");
+  const TaskOptions options(welcome.options);
+  const auto task = AgentTask::make(welcome.task, options);
   const RobotTypes* types = findObject<RobotTypes>();
   if (!types)
-    throw ConfigurationError("the server's kick is for a robot type; robots of this platform have no types");
-  const std::string robot = types->nameOf(static_cast<int>(number(options, "type", 0)));
+    throw ConfigurationError("the server's " + welcome.task +
+                             " is for a robot type; robots of this platform have no types");
+  const std::string robot = types->nameOf(task->robotType());
   if (robot != theRobotDescription->name)
-    throw ConfigurationError("the server's kick is for " + robot + ", this robot is " +
+    throw ConfigurationError("the server's " + welcome.task + " is for " + robot + ", this robot is " +
                              theRobotDescription->name + ": give bin/agent --type");
-  const motion::KickWish wish;
-  wanted_.motion = word(options, "motion", "kickRight");
-  wanted_.foot = word(options, "side", "right") == "left" ? Side::left : Side::right;
-  wanted_.spread = number(options, "spread", wanted_.spread);
-  wanted_.distance = number(options, "distance", wish.distance);
-  wanted_.weight = number(options, "weight", wish.weight);
-  wanted_.steady = number(options, "steady", wish.steady);
+  want(welcome.task, options);
   source_ = std::move(client);
 }
 
 void OptimizationClient::begin() {
-  const auto motions = readMotions(config, theRobotDescription->model);
-  const motion::KeyframeMotion* first = findMotion(motions, motion);
-  if (!first) config.refuse("motion", motion::missingMotion(motions, motion));
-  motion::SearchedKick kick(*first, theRobotDescription->model, Side::right);
-  const SearchSpace space = SearchSpace::of(kick.list());
+  const TaskOptions taskOptions({{"motion", motion}});
+  auto task = AgentTask::make("kick", taskOptions);
+  try {
+    task->begin(readMotions(config, theRobotDescription->model), theRobotDescription->model);
+  } catch (const std::invalid_argument& error) {
+    config.refuse("motion", error.what());
+  }
+  const SearchSpace space = SearchSpace::of(task->list());
   OptimizerOptions options;
   options.population = population;
   options.seed = static_cast<std::uint64_t>(seed);
   options.stop.maxGenerations = generations;
   inAgent_.reset(new InAgent{
-      std::move(kick), Search(makeOptimizer(optimizer, space, options), {runs, runs, true}, options.seed)});
+      std::move(task), Search(makeOptimizer(optimizer, space, options), {runs, runs, true}, options.seed)});
   source_ = std::make_unique<farm::LocalSource>(inAgent_->search);
-  const motion::KickWish wish;
-  wanted_.motion = motion;
-  wanted_.weight = wish.weight;
-  wanted_.steady = wish.steady;
+  want("kick", taskOptions);
+}
+
+void OptimizationClient::drop() {
+  if (trial_) ++tries_;  // the next one is another try, even of the same numbers
+  trial_.reset();
+  source_.reset();
+}
+
+bool OptimizationClient::reach() {
+  if (source_) return true;
+  if (host.empty()) {
+    begin();
+    return true;
+  }
+  const double now = steadySeconds();
+  if (now - asked_ < betweenTries) return false;
+  asked_ = now;
+  connect();
+  lost_ = -1;
+  return true;
+}
+
+void OptimizationClient::lose(const std::string& why) {
+  drop();
+  const double now = steadySeconds();
+  if (lost_ < 0) {
+    lost_ = now;
+    log.warning() << why << "; waits for it";
+  }
+  if (host.empty() || now - lost_ >= patience) requestStop(2, why);
 }
 
 void OptimizationClient::takeResult() {
@@ -99,13 +114,8 @@ void OptimizationClient::takeResult() {
   const OptimizationResult& result = *theOptimizationResult;
   ++tries_;
   costs_.push_back(result.cost);
-  const double share = 1 / static_cast<double>(trial_->seeds.size());
-  for (const auto& [name, value] : {std::pair<const char*, double>{"distance", result.distance},
-                                    {"direction", result.direction},
-                                    {"time", result.time},
-                                    {"error", result.error},
-                                    {"up", result.up ? 1.0 : 0.0}})
-    figures_[name] += share * value;
+  for (std::size_t i = 0; i < result.figures.size(); ++i)
+    figures_[result.figures[i]] += result.values[i] / static_cast<double>(trial_->seeds.size());
   if (costs_.size() < trial_->seeds.size()) return;
   source_->tell(*trial_, costs_, figures_);
   trial_.reset();
@@ -117,9 +127,9 @@ void OptimizationClient::end() {
   std::string what = "the search is over";
   if (inAgent_) {
     const Optimizer& optimiser = inAgent_->search.optimizer();
-    const motion::KeyframeMotion kick =
-        inAgent_->kick.written(optimiser.favourite(), theFrameInfo->cycleSeconds);
-    writeFile(found, motion::motionFile(kick, theRobotDescription->model,
+    const motion::KeyframeMotion best =
+        inAgent_->task->written(optimiser.favourite(), theFrameInfo->cycleSeconds);
+    writeFile(found, motion::motionFile(best, theRobotDescription->model,
                                         "Found in the agent: " + std::to_string(optimiser.generations()) +
                                             " generations, seed " + std::to_string(seed) + "."));
     what += "; found: " + found;
@@ -130,8 +140,9 @@ void OptimizationClient::end() {
 
 void OptimizationClient::update(OptimizationTrial* theOptimizationTrial) {
   if (!theRobotDescription->known() || stopRequested()) return;
+  theOptimizationTrial->open = false;
   try {
-    if (!source_) host.empty() ? begin() : connect();
+    if (!reach()) return;
     takeResult();
     if (source_->isOver()) end();
     // Nothing waits here: a trial that is not there yet may be in the next cycle.
@@ -142,9 +153,10 @@ void OptimizationClient::update(OptimizationTrial* theOptimizationTrial) {
     }
   } catch (const ConfigurationError&) {
     throw;
+  } catch (const std::bad_alloc&) {
+    throw;
   } catch (const std::exception& error) {
-    if (!ended_) requestStop(2, error.what());
-    return;
+    return ended_ ? drop() : lose(error.what());
   }
   *theOptimizationTrial = wanted_;
   theOptimizationTrial->open = trial_.has_value();

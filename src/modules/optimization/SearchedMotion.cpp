@@ -10,23 +10,22 @@ void SearchedMotion::take() {
   const OptimizationTrial& trial = *theOptimizationTrial;
   if (!trial.open || trial.number == number_ || !theRobotDescription->known()) return;
   number_ = trial.number;
-  const std::string begun = trial.motion + (trial.foot == Side::left ? " left" : " right");
-  if (begun != begun_) {
-    const auto motions = readMotions(config, theRobotDescription->model);
-    const motion::KeyframeMotion* first = findMotion(motions, trial.motion);
-    if (!first) return requestStop(2, motion::missingMotion(motions, trial.motion));
+  if (!task_ || trial.task != begunTask_ || trial.options != begunOptions_) {
     try {
-      kick_.emplace(*first, theRobotDescription->model, trial.foot);
+      task_ = AgentTask::make(trial.task, TaskOptions::ofLines(trial.options));
+      task_->begin(readMotions(config, theRobotDescription->model), theRobotDescription->model);
     } catch (const std::invalid_argument& error) {
+      task_.reset();
       return requestStop(2, error.what());
     }
-    begun_ = begun;
+    begunTask_ = trial.task;
+    begunOptions_ = trial.options;
   }
   const auto n = static_cast<Eigen::Index>(trial.parameters.size());
-  if (trial.parameters.size() != kick_->list().size())
+  if (trial.parameters.size() != task_->list().size())
     return requestStop(2, "the optimiser has " + std::to_string(n) + " parameters, the motion " +
-                              trial.motion + " has " + std::to_string(kick_->list().size()));
-  motion_ = kick_->written(Eigen::Map<const Eigen::VectorXd>(trial.parameters.data(), n),
+                              task_->motionName() + " has " + std::to_string(task_->list().size()));
+  motion_ = task_->written(Eigen::Map<const Eigen::VectorXd>(trial.parameters.data(), n),
                            theFrameInfo->cycleSeconds);
 }
 

@@ -1,10 +1,12 @@
 #pragma once
-#include <optional>
+#include <memory>
+#include <string>
+#include <vector>
 
 #include "framework/Module.h"
 #include "modules/motion/Motions.h"
+#include "modules/optimization/AgentTask.h"
 #include "motion/KeyframePlayer.h"
-#include "motion/SearchedKick.h"
 #include "motion/Stillness.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/JointData.h"
@@ -26,7 +28,7 @@ MODULE(SearchedMotion)
   PROVIDES(SearchedMotionOutput)
 END_MODULE
 
-/// Plays the kick of the trial that is open: its motion with the numbers that the optimiser asks for.
+/// Plays the motion of the trial that is open: its motion with the numbers that the optimiser asks for.
 class SearchedMotion : public SearchedMotionBase {
 public:
   void update(SearchedMotionOutput* theSearchedMotionOutput) override;
@@ -34,8 +36,9 @@ public:
 private:
   void take();
 
-  std::optional<motion::SearchedKick> kick_;
-  std::string begun_;  ///< the motion that kick_ is made of
+  std::unique_ptr<AgentTask> task_;
+  std::string begunTask_;  ///< that task_ is made of
+  std::vector<std::string> begunOptions_;
   motion::KeyframeMotion motion_;
   motion::KeyframePlayer player_;
   motion::Stillness stillness_;

@@ -17,6 +17,7 @@ public:
   double walkTurn = 0;                 ///< [rad/s]
   std::string specialAction;           ///< name of a keyframe file without its ending
   bool atOnce = false;                 ///< the motion does not wait until a walk stands
+  bool staysDown = false;              ///< a robot that lies does what is asked; else it stands up first
   std::string kick;                    ///< the same of a motion that is a kick; empty: the shortest
   Side kickFoot = Side::right;
   Vec2 kickBall = Vec2::Zero();  ///< the ball relative to the robot at the moment of the request [m]
@@ -26,6 +27,7 @@ public:
     STREAM(walkTurn);
     STREAM(specialAction);
     STREAM(atOnce);
+    STREAM(staysDown);
     STREAM(kick);
     STREAM(kickFoot);
     STREAM(kickBall);

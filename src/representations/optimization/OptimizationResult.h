@@ -1,5 +1,7 @@
 #pragma once
 #include <cstdint>
+#include <string>
+#include <vector>
 
 #include "framework/Representation.h"
 
@@ -9,21 +11,15 @@ namespace plumbline {
 REPRESENTATION(OptimizationResult)
 class OptimizationResult : public OptimizationResultBase {
 public:
-  std::int64_t number = -1;  ///< of the try; -1: none yet
-  double cost = 0;           ///< motion::KickWish
-  double distance = 0;       ///< of the ball along the wanted direction [m]
-  double direction = 0;      ///< [degrees]
-  double time = 0;           ///< of the motion [ms]
-  double error = 0;          ///< motion::KickTry
-  bool up = false;           ///< leans by less than 30 degrees after the walk
+  std::int64_t number = -1;          ///< of the try; -1: none yet
+  double cost = 0;                   ///< as the task has it
+  std::vector<std::string> figures;  ///< their names
+  std::vector<double> values;        ///< of the figures
   void stream(InStream* in, OutStream* out) override {
     STREAM(number);
     STREAM(cost);
-    STREAM(distance);
-    STREAM(direction);
-    STREAM(time);
-    STREAM(error);
-    STREAM(up);
+    STREAM(figures);
+    STREAM(values);
   }
 };
 

@@ -1,7 +1,5 @@
 #include "training/tasks/BallRoll.h"
 
-#include <algorithm>
-
 namespace plumbline::training {
 namespace {
 
@@ -19,21 +17,17 @@ simulation::WorldConfig worldOn(const std::string& engine) {
 
 BallRoll::BallRoll(const std::string& engine) : world_(simulation::makeWorld(worldOn(engine))) {}
 
-BallRoll::Rest BallRoll::roll(const simulation::BodyState& ball,
-                              const std::function<void(const Vec3&)>& see) {
+Vec2 BallRoll::roll(const simulation::BodyState& ball, const std::function<void(const Vec3&)>& see) {
   world_->reset();
   world_->setBall(ball);
-  Rest rest;
   for (int i = 0; i < mostCycles; ++i) {
     const simulation::BodyState now = world_->ball();
     const double height = now.pose.translation().z();
-    rest.height = std::max(rest.height, height);
     if (see) see(now.pose.translation());
     if (now.linearVelocity.norm() < atRest && height < touching) break;
     world_->step();
   }
-  rest.place = world_->ball().pose.translation().head<2>();
-  return rest;
+  return world_->ball().pose.translation().head<2>();
 }
 
 }  // namespace plumbline::training

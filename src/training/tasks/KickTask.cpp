@@ -1,15 +1,16 @@
 #include "training/tasks/KickTask.h"
 
 #include <algorithm>
-#include <cmath>
 #include <stdexcept>
 
+#include "field/FieldSize.h"
 #include "framework/ConfigurationError.h"
 #include "math/Angle.h"
 #include "math/GroundPose.h"
 #include "motion/MotionDefaults.h"
 #include "training/tasks/BeforeKick.h"
 #include "training/tasks/WalkOn.h"
+#include "trials/KickMeasure.h"
 
 namespace plumbline::training {
 namespace {
@@ -18,36 +19,16 @@ constexpr double dt = MotionTrial::dt;
 constexpr int cyclesToFly = 10;  // after the motion, before the ball goes on alone
 constexpr int mostStarts = 1000;
 constexpr double leastScatter = 0.01, leastSpread = 0.05;  // that a file may have [rad, m]
-const FieldSize field = simulation::WorldConfig().field;   // of the trial's world
-const double ballRadius = field.ballRadius;
-constexpr double shotFrom = 3, shotTo = 8;  // where a goal stands that one shoots at [m]
+constexpr double ballRadius = FieldSize().ballRadius;
 constexpr std::size_t startsKept = 4096;
-
-/// The highest that the ball's top comes where a goal may stand.
-struct Flight {
-  Vec2 from;
-  double top = 0;
-  bool came = false;  ///< so far
-
-  void see(const Vec3& ball) {
-    const double way = (ball.head<2>() - from).norm();
-    if (way < shotFrom || way > shotTo) return;
-    came = true;
-    top = std::max(top, ball.z() + ballRadius);
-  }
-};
 
 }  // namespace
 
 KickTask::KickTask(const KickOptions& options)
-    : options_(options),
-      direction_(fromDegrees(options.direction)),
-      worlds_(options.world),
-      ball_(worlds_.engine()) {
-  const Side foot = options.side == "left" ? Side::left : Side::right;
+    : options_(options), worlds_(options.world), ball_(worlds_.engine()) {
   try {
     const motion::KeyframeMotion& first = worlds_.first().motion(options.motion);
-    kick_ = std::make_unique<motion::SearchedKick>(first, worlds_.first().model, foot);
+    kick_ = std::make_unique<motion::SearchedKick>(first, worlds_.first().model, options.foot());
   } catch (const std::logic_error& error) {  // out_of_range or invalid_argument
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
@@ -90,12 +71,10 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   WalkOn walk(trial, options_.walk, options_.still);
 
   int cycles = 0, contact = -1;
-  double height = 0;
-  Flight flight{place};
+  KickMeasure measure(options_, ground, place);
   const auto watchBall = [&] {
-    flight.see(world.ball().pose.translation());
+    measure.see(world.ball().pose.translation());
     if (contact < 0 && !world.ballTouchedBy().empty()) contact = cycles;
-    height = std::max(height, world.ball().pose.translation().z());
   };
   trial.player.start(kick, robot.sense().angle);
   bool still = false;
@@ -114,22 +93,9 @@ TaskOutcome KickTask::tryMotion(const motion::KeyframeMotion& kick, std::uint64_
   const simulation::BodyState flying = world.ball();
   while (!walk.isOver()) walk.step();
 
-  const BallRoll::Rest rest = ball_.roll(flying, [&](const Vec3& ball) { flight.see(ball); });
-  motion::KickTry result;
-  result.way = Eigen::Rotation2Dd(-ground.heading - direction_) * (rest.place - place);
-  result.height = std::max(height, rest.height) - ballRadius;
-  result.top = flight.top;
-  result.milliseconds = milliseconds;
-  result.error = walk.error();
-  const double off = toDegrees(result.direction());
-  TaskOutcome outcome;
-  outcome.cost = options_.wish.cost(result);
-  outcome.figures = {
-      {"distance", result.way.x()}, {"direction", toDegrees(direction_) + off},
-      {"off", std::abs(off)},       {"height", result.height},
-      {"time", milliseconds},       {"contact", 1e3 * dt * (contact < 0 ? cycles : contact)},
-      {"error", walk.error()},      {"up", walk.upright() ? 1.0 : 0.0},
-      {"top", flight.top},          {"low", flight.came && flight.top < field.goalHeight ? 1.0 : 0.0}};
+  const Vec2 rest = ball_.roll(flying, [&](const Vec3& ball) { measure.see(ball); });
+  TaskOutcome outcome = measure.outcome({rest, milliseconds, walk.error(), walk.upright()});
+  outcome.figures.emplace_back("contact", 1e3 * dt * (contact < 0 ? cycles : contact));
   return outcome;
 }
 

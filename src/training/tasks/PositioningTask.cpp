@@ -142,7 +142,7 @@ TaskOutcome PositioningTask::run(const Eigen::VectorXd& parameters, std::uint64_
     walk.play();
     trial.beginWalk();
     for (int i = 0; i < cyclesAfter; ++i) trial.walkStep(Vec2::Zero(), 0, false);
-    gone = ball_.roll(trial.robot.world().ball()).place - from;
+    gone = ball_.roll(trial.robot.world().ball()) - from;
   }
   const double time = ready ? walk.seconds : limit;
   TaskOutcome outcome;

@@ -6,13 +6,13 @@
 #include "framework/ConfigurationError.h"
 #include "motion/StandUpChoice.h"
 #include "training/tasks/WalkOn.h"
+#include "trials/StandUpMeasure.h"
 
 namespace plumbline::training {
 namespace {
 
 constexpr std::size_t mostKept = 4096;
 constexpr int mostFalls = 1000;
-constexpr double walkSeconds = 2;
 constexpr int mostRolls = 3;
 
 /// As the agent: it rolls again where it still lies on a side.
@@ -33,15 +33,9 @@ bool liesAs(const MotionTrial& trial, int direction) {
 }
 
 StandUpTask::StandUpTask(const StandUpOptions& options)
-    : direction_(options.side()),
-      weight_(options.weight),
-      still_(options.still),
-      moving_(options.inPlay()),
-      worlds_(options.world) {
-  const motion::StandUpParameters played;
-  const std::string& usual = direction_ > 0 ? played.front : direction_ < 0 ? played.back : played.side;
+    : options_(options), direction_(options.side()), moving_(options.inPlay()), worlds_(options.world) {
   try {
-    first_ = worlds_.first().motion(options.motion.empty() ? usual : options.motion);
+    first_ = worlds_.first().motion(options.firstMotion());
   } catch (const std::out_of_range& error) {
     throw ConfigurationError(std::string("option motion: ") + error.what());
   }
@@ -82,14 +76,11 @@ TaskOutcome StandUpTask::tryMotion(const motion::KeyframeMotion& motion, std::ui
   trial.elapsed = 0;
   trial.play(motion);
   if (direction_ == 0) standUpAfterRoll(trial, motion);
-  TaskOutcome outcome;
   const double milliseconds = 1e3 * trial.elapsed;
-  WalkOn walk(trial, walkSeconds, still_);
+  WalkOn walk(trial, StandUpOptions::walkSeconds, options_.still);
   walk.begin(trial.player.angles());
   while (!walk.isOver()) walk.step();
-  outcome.cost = walk.error() + weight_ * milliseconds;
-  outcome.figures = {{"time", milliseconds}, {"error", walk.error()}, {"up", walk.upright() ? 1.0 : 0.0}};
-  return outcome;
+  return standUpOutcome(options_, milliseconds, walk.error(), walk.upright());
 }
 
 TaskOutcome StandUpTask::run(const Eigen::VectorXd& parameters, std::uint64_t seed) {

@@ -1,10 +1,10 @@
 #pragma once
 #include "training/MotionDriver.h"
+#include "trials/AfterMotion.h"
 
 namespace plumbline::training {
 
-/// The walk right after a motion that shows whether the robot can go on: two seconds into a random direction
-/// with a random turn (Seekircher 2015, 3.1.1). Or it stands still instead, in a share of the runs.
+/// What shows whether the robot can go on after a motion (AfterMotion), for two seconds or as long as said.
 class WalkOn {
 public:
   /// Draws direction, turn and, where `still` is above 0, whether it stands from the driver's generator.
@@ -17,15 +17,12 @@ public:
 
   /// Angle between torso and upright, summed over the cycles so far [rad].
   double error() const { return error_; }
-  /// The torso leans by less than 30 degrees.
-  bool upright() const;
+  bool upright() const { return AfterMotion::upright(driver_.tilt()); }
 
 private:
   MotionDriver& driver_;
   double seconds_;
-  Vec2 velocity_;
-  double turn_;
-  bool stands_;
+  AfterMotion after_;
   JointArray from_{};
   double fade_ = 0, error_ = 0;
   int cycles_ = 0;

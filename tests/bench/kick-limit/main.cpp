@@ -24,7 +24,7 @@ double reach(training::BallRoll& roll, double speed, double elevation) {
   simulation::BodyState ball;
   ball.pose.translation() = Vec3(-14, 0, simulation::WorldConfig().field.ballRadius);
   ball.linearVelocity = Vec3(speed * std::cos(elevation), 0, speed * std::sin(elevation));
-  return roll.roll(ball).place.x() + 14;
+  return roll.roll(ball).x() + 14;
 }
 
 struct Launch {
@@ -50,7 +50,7 @@ double reach(training::BallRoll& roll, const Contact& contact, double factor) {
   simulation::BodyState ball = contact.ball;
   ball.linearVelocity *= factor;
   ball.angularVelocity *= factor;
-  return (roll.roll(ball).place - contact.from).norm();
+  return (roll.roll(ball) - contact.from).norm();
 }
 
 /// How far it comes at the best of all elevations, with the same speed and spin [m].

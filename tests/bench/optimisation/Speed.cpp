@@ -43,13 +43,13 @@ TaskSpeed speedOf(const std::string& name, const std::map<std::string, std::stri
                   int generations) {
   TaskSpeed speed;
   {
-    const auto task = training::makeTask(name, training::TaskOptions(options));
+    const auto task = training::makeTask(name, TaskOptions(options));
     Search search = searchOf(*task, generations);
     farm::LocalSource source(search);
     const double seconds = work(source, *task);
     speed.bare = seconds / static_cast<double>(search.runs());
   }
-  const auto task = training::makeTask(name, training::TaskOptions(options));
+  const auto task = training::makeTask(name, TaskOptions(options));
   Search search = searchOf(*task, generations);
   farm::FarmServer server(search, nullptr,
                           {name, options, static_cast<std::int64_t>(task->parameters().size())}, {});

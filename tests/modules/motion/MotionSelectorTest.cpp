@@ -138,6 +138,18 @@ TEST_F(MotionSelectorTest, aFallInterruptsEverything) {
   EXPECT_DOUBLE_EQ(ratio(Motion::specialAction), 1);
 }
 
+TEST_F(MotionSelectorTest, aRobotThatStaysDownDoesWhatIsAsked) {
+  cycle();
+  request.motion = "bow";
+  request.staysDown = true;
+  fall.posture = Posture::onBack;
+  cycle();
+  EXPECT_EQ(selection.motion, "bow");
+  request.staysDown = false;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::specialAction);
+}
+
 TEST_F(MotionSelectorTest, standsUpUntilItIsUp) {
   fall.posture = Posture::onBack;
   cycle();

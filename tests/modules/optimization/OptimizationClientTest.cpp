@@ -48,7 +48,8 @@ TEST_F(OptimizationClientTest, triesEachCandidateAsOftenAsItSaysAndWritesTheBest
     harness.cycle();
     ASSERT_TRUE(trial.open) << i;
     EXPECT_EQ(trial.number, i);
-    EXPECT_EQ(trial.motion, "kick");
+    EXPECT_EQ(trial.task, "kick");
+    EXPECT_EQ(trial.options, std::vector<std::string>{"motion=kick"});
     if (i % 2 == 0)
       tried.push_back(trial.parameters);
     else
@@ -100,6 +101,7 @@ TEST_F(OptimizationClientTest, aServerThatIsNotThereEndsTheAgent) {
     test::FakeServer gone;
     harness.module().host = "127.0.0.1";
     harness.module().port = gone.port();
+    harness.module().patience = 0;
   }
   harness.cycle();
   EXPECT_EQ(harness.stop().exitCode(), 2);
@@ -110,8 +112,8 @@ TEST_F(OptimizationClientTest, aServerThatIsNotThereEndsTheAgent) {
 /// A server of a search of kicks, in a thread, with these options of the task.
 class KickServer {
 public:
-  explicit KickServer(std::map<std::string, std::string> options)
-      : server_(search_, nullptr, {"kick", std::move(options), 2}, {}),
+  explicit KickServer(std::map<std::string, std::string> options = {}, int port = 0)
+      : server_(search_, nullptr, {"kick", std::move(options), 2}, at(port)),
         thread_([this] { server_.serve(stop_); }) {}
   ~KickServer() {
     eventfd_write(stop_, 1);
@@ -121,38 +123,87 @@ public:
   int port() const { return server_.port(); }
 
 private:
+  static farm::FarmOptions at(int port) {
+    farm::FarmOptions options;
+    options.port = port;
+    return options;
+  }
+
   int stop_ = eventfd(0, EFD_CLOEXEC);
   Search search_{std::make_unique<Cmaes>(SearchSpace::around(Eigen::Vector2d(1, 2), 0.1)), {1, 1, true}, 1};
   farm::FarmServer server_;
   std::thread thread_;
 };
 
-TEST_F(OptimizationClientTest, aServersOptionsSayWhatIsTriedAndWhatItLeavesOutIsTheTasksDefault) {
-  struct Case {
-    std::map<std::string, std::string> options;
-    std::string motion;
-    Side foot;
-    double distance;
-  };
-  for (const auto& [options, motion, foot, distance] :
-       {Case{{{"motion", "kickFar"}, {"side", "left"}, {"distance", "7"}}, "kickFar", Side::left, 7},
-        Case{{{"distance", "5"}}, "kickRight", Side::right, 5}}) {
-    const KickServer server(options);
-    test::ModuleHarness<OptimizationClient> agent{{folder.path()}};
-    agent.objects().set(std::make_shared<RobotTypes>(RobotTypes{[this](int) { return robot.name; }}));
-    agent.input<RobotDescription>() = robot;
-    agent.module().host = "127.0.0.1";
-    agent.module().port = server.port();
-    const OptimizationTrial& asked = agent.output<OptimizationTrial>();
-    ASSERT_TRUE(comesTrue([&] {
-      agent.cycle();
-      return asked.open || agent.stop().requested();
-    }));
-    EXPECT_EQ(agent.stop().reason(), "");
-    EXPECT_EQ(asked.motion, motion);
-    EXPECT_EQ(asked.foot, foot);
-    EXPECT_EQ(asked.distance, distance);
+class OptimizationClientOfServerTest : public OptimizationClientTest {
+protected:
+  OptimizationClientOfServerTest() {
+    harness.objects().set(std::make_shared<RobotTypes>(RobotTypes{[](int) { return simsparkRobotName(0); }}));
+    harness.module().host = "127.0.0.1";
   }
+  /// What the server learns of only if it is there.
+  void endTry() { result.number = trial.number; }
+  /// A try is open, or the agent stops.
+  bool tries() {
+    return comesTrue([&] {
+      harness.cycle();
+      return trial.open || harness.stop().requested();
+    });
+  }
+};
+
+TEST_F(OptimizationClientOfServerTest, theServersOptionsAreTheTrials) {
+  const KickServer server({{"motion", "kickFar"}, {"side", "left"}, {"direction", "30"}});
+  harness.module().port = server.port();
+  ASSERT_TRUE(tries());
+  EXPECT_EQ(harness.stop().reason(), "");
+  EXPECT_EQ(trial.task, "kick");
+  EXPECT_EQ(trial.options, (std::vector<std::string>{"direction=30", "motion=kickFar", "side=left"}));
+}
+
+TEST_F(OptimizationClientOfServerTest, whatAnAgentCannotTryIsRefused) {
+  const KickServer server(std::map<std::string, std::string>{{"engine", "bullet"}});
+  harness.module().port = server.port();
+  EXPECT_EQ(thrownBy([&] { tries(); }),
+            "the server's task kick has the option engine; an agent cannot try that, bin/optworker can");
+}
+
+TEST_F(OptimizationClientOfServerTest, aServerThatGoesAwayIsWaitedFor) {
+  int port = 0;
+  {
+    const KickServer server;
+    harness.module().port = port = server.port();
+    ASSERT_TRUE(tries());
+  }
+  endTry();
+  ASSERT_TRUE(comesTrue([&] {
+    harness.cycle();
+    return !trial.open;
+  }));
+  harness.cycle(3);
+  EXPECT_FALSE(harness.stop().requested()) << harness.stop().reason();
+  const std::int64_t lost = result.number;
+  const KickServer again({{"direction", "30"}}, port);
+  ASSERT_TRUE(tries());
+  EXPECT_FALSE(harness.stop().requested()) << harness.stop().reason();
+  EXPECT_GT(trial.number, lost);
+  EXPECT_EQ(trial.options, std::vector<std::string>{"direction=30"});
+}
+
+TEST_F(OptimizationClientOfServerTest, itWaitsForPatienceAlone) {
+  {
+    const KickServer server;
+    harness.module().port = server.port();
+    ASSERT_TRUE(tries());
+  }
+  endTry();
+  harness.module().patience = 0.3;
+  ASSERT_TRUE(comesTrue([&] {
+    harness.cycle();
+    return harness.stop().requested();
+  }));
+  EXPECT_EQ(harness.stop().exitCode(), 2);
+  EXPECT_NE(harness.stop().reason().find("127.0.0.1:"), std::string::npos) << harness.stop().reason();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 
 #include "math/Angle.h"
 #include "motion/KeyframeReader.h"
+#include "motion/SearchedKick.h"
 #include "simspark/LeagueRobots.h"
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"
@@ -23,7 +24,8 @@ protected:
     harness.input<FrameInfo>().cycleSeconds = 0.1;
     trial.open = true;
     trial.number = 0;
-    trial.motion = "kick";
+    trial.task = "kick";
+    trial.options = {"motion=kick"};
     trial.parameters = begun(Side::right);
   }
   /// The numbers that the search begins with.
@@ -72,7 +74,7 @@ TEST_F(SearchedMotionTest, theNextTrialIsTakenByItsNumber) {
 }
 
 TEST_F(SearchedMotionTest, theLeftFootKicksInTheMirrorImage) {
-  trial.foot = Side::left;
+  trial.options.emplace_back("side=left");
   trial.parameters = begun(Side::left);
   play(2);
   EXPECT_NEAR(output.targets.angles[lHipPitch], fromDegrees(-20), 0.02);
@@ -86,14 +88,26 @@ TEST_F(SearchedMotionTest, withoutATrialItStands) {
   EXPECT_FALSE(output.targets.set[rHipPitch]);
 }
 
+TEST_F(SearchedMotionTest, playsAStandUpOfTheTaskStandUp) {
+  trial.task = "standUp";
+  trial.options = {"motion=bow"};
+  trial.parameters.clear();
+  const auto motions = motion::readMotions({folder / "motions"}, robot.model);
+  const motion::MotionParameters numbers(*findMotion(motions, "bow"), robot.model);
+  for (const motion::SearchedNumber& one : numbers.list()) trial.parameters.push_back(one.start);
+  play(3);
+  EXPECT_TRUE(output.finished);
+  EXPECT_NEAR(output.targets.angles[rHipPitch], fromDegrees(-20), 0.02);
+}
+
 TEST_F(SearchedMotionTest, whatCannotBeTriedEndsTheAgent) {
-  trial.motion = "kik";
+  trial.options = {"motion=kik"};
   harness.cycle();
   EXPECT_EQ(stopped(), "there is no motion kik in motions/; did you mean \"kick\"?");
 }
 
 TEST_F(SearchedMotionTest, aMotionWithoutABallIsNoKick) {
-  trial.motion = "bow";
+  trial.options = {"motion=bow"};
   harness.cycle();
   EXPECT_EQ(stopped(), "bow is no kick: it has no ball");
 }

@@ -1,23 +1,27 @@
 #pragma once
 #include <cstdint>
+#include <optional>
 
 #include "framework/Module.h"
 #include "math/Random.h"
 #include "modules/simspark/Monitor.h"
-#include "motion/SearchedKick.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GroundTruth.h"
 #include "representations/infrastructure/PlayerInfo.h"
 #include "representations/modeling/FallState.h"
 #include "representations/motion/MotionRequest.h"
 #include "representations/motion/MotionSelection.h"
+#include "representations/optimization/FallOverOutput.h"
 #include "representations/optimization/OptimizationResult.h"
 #include "representations/optimization/OptimizationTrial.h"
 #include "representations/optimization/SearchedMotionOutput.h"
+#include "trials/AfterMotion.h"
+#include "trials/KickMeasure.h"
+#include "trials/StandUpOptions.h"
 
 namespace plumbline {
 
-MODULE(OptimizeKick)
+MODULE(OptimizeMotion)
   REQUIRES(FrameInfo)
   REQUIRES(GroundTruth)
   REQUIRES(PlayerInfo)
@@ -27,31 +31,32 @@ MODULE(OptimizeKick)
   USES(SearchedMotionOutput)
   PROVIDES(MotionRequest)
   PROVIDES(OptimizationResult)
-  PARAMETER(double, standSeconds, 0.8, "s", Range(0.1, 10), "on its feet before the ball comes")
-  PARAMETER(double, walkSeconds, 2, "s", Range(0.1, 10), "walk right after the kick")
-  PARAMETER(double, walkSpeed, 0.3, "m/s", Range(0, 1), "of that walk, into a random direction")
+  PARAMETER(double, standSeconds, 0.8, "s", Range(0.1, 10), "on its feet before the ball comes or it falls")
   PARAMETER(double, rollSeconds, 15, "s", Range(1, 60),
             "a ball that rolls for longer counts as stopped where it is then")
 END_MODULE
 
-/// Repeats the kick of the open trial: a trainer puts robot and ball to their places, the robot kicks and
-/// then walks. The simulator's ground truth measures the ball. In modules.cfg this module replaces behaviour
-/// and skills.
-class OptimizeKick : public OptimizeKickBase {
+/// Repeats the motion of the open trial, by the options of its task. A trainer puts robot and ball to their
+/// places; the robot kicks, or falls and stands up, and then walks or stands. The simulator's ground truth
+/// measures ball and robot. In modules.cfg this module replaces behaviour and skills.
+class OptimizeMotion : public OptimizeMotionBase {
 public:
   void init() override;
   void update(MotionRequest* theMotionRequest) override;
   void update(OptimizationResult* theOptimizationResult) override { *theOptimizationResult = result_; }
 
 private:
-  enum class Phase { waiting, standing, ball, kicking, walking, rolling };
+  enum class Phase { waiting, standing, ball, falling, playing, walking, rolling };
 
   void enter(Phase phase);
+  void begin();
+  void finish(const TaskOutcome& outcome);
   void decide();
   void placeRobot();
   void placeBall();
   void stand();
-  void kick();
+  void fall();
+  void play();
   void walk();
   void roll();
   bool command(bool sent);
@@ -65,11 +70,18 @@ private:
   double seconds_ = 0;  ///< in this phase
   double blind_ = 0;    ///< without ground truth [s]
   Random random_{0};
-  Pose2 from_;         ///< of the robot when the ball was put
-  Vec2 ball_, last_;   ///< where it was put, and where it was half a second ago [m]
-  double lastAt_ = 0;  ///< time in the phase
-  double walkWay_ = 0, walkTurn_ = 0;
-  motion::KickTry try_;
+  Pose2 from_;                       ///< of the robot when the ball was put
+  Vec2 ball_, last_;                 ///< where it was put, and where it was half a second ago [m]
+  double lastAt_ = 0;                ///< time in the phase
+  std::optional<KickOptions> kick_;  ///< of the open trial, if it is a kick
+  std::optional<StandUpOptions> standUp_;
+  double direction_ = 0;  ///< of a kick, left of forward [rad]
+  double lies_ = 0;       ///< for so long as the task wants it [s]
+  AfterMotion after_;
+  std::optional<KickMeasure> measure_;
+  double milliseconds_ = 0, error_ = 0;  ///< as KickMeasure::End
+  int walked_ = 0;                       ///< cycles after the motion
+  bool up_ = false;                      ///< at their end
   OptimizationResult result_;
 };
 

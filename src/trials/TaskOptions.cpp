@@ -1,15 +1,14 @@
-#include "training/TaskOptions.h"
+#include "trials/TaskOptions.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <charconv>
-#include <vector>
 
 #include "framework/ConfigurationError.h"
 #include "framework/NearestName.h"
 
-namespace plumbline::training {
+namespace plumbline {
 namespace {
 
 template <typename Number>
@@ -42,6 +41,30 @@ std::string optionName(const std::string& path) {
   return dot == std::string::npos ? path : path.substr(dot + 1);
 }
 
+std::vector<std::string> changedOptions(const ParameterList& declared, void* owner) {
+  std::vector<std::string> names;
+  declared.visit(owner,
+                 [&](const std::string& path, const Parameter& parameter, const ParameterPointer& value) {
+                   if (parameterText(value) != parameter.defaultText) names.push_back(optionName(path));
+                 });
+  return names;
+}
+
+std::vector<std::string> TaskOptions::lines() const {
+  std::vector<std::string> lines;
+  for (const auto& [key, value] : values_) lines.push_back(key + '=' + value);
+  return lines;
+}
+
+TaskOptions TaskOptions::ofLines(const std::vector<std::string>& lines) {
+  std::map<std::string, std::string> values;
+  for (const std::string& line : lines) {
+    const std::size_t equals = line.find('=');
+    values[line.substr(0, equals)] = equals == std::string::npos ? "" : line.substr(equals + 1);
+  }
+  return TaskOptions(std::move(values));
+}
+
 int TaskOptions::robotType() const {
   int type = 0;
   if (const auto found = values_.find("type"); found != values_.end())
@@ -62,4 +85,4 @@ void TaskOptions::read(const ParameterList& declared, void* owner) const {
       throw ConfigurationError("unknown option \"" + key + '"' + suggestion(key, known));
 }
 
-}  // namespace plumbline::training
+}  // namespace plumbline

@@ -1,10 +1,10 @@
-#include "training/TaskOptions.h"
+#include "trials/TaskOptions.h"
 
 #include <gtest/gtest.h>
 
 #include "framework/ConfigurationError.h"
 
-namespace plumbline::training {
+namespace plumbline {
 namespace {
 
 struct TriedWorld {
@@ -54,6 +54,19 @@ TEST(TaskOptions, mistakesAreNamed) {
   EXPECT_EQ(errorOf({{"heigth", "1"}}), "unknown option \"heigth\"; did you mean \"height\"?");
 }
 
+TEST(TaskOptions, whatWasChangedIsNamed) {
+  TriedOptions options = read({{"height", "0.5"}, {"times", "9"}, {"engine", "bullet"}});
+  EXPECT_EQ(changedOptions(TriedOptions::parameterList(), &options),
+            (std::vector<std::string>{"times", "engine"}));
+}
+
+TEST(TaskOptions, linesKeepThem) {
+  const std::map<std::string, std::string> values{{"effects", "a=b.yaml"}, {"motion", ""}, {"type", "3"}};
+  const TaskOptions options(values);
+  EXPECT_EQ(options.lines(), (std::vector<std::string>{"effects=a=b.yaml", "motion=", "type=3"}));
+  EXPECT_EQ(TaskOptions::ofLines(options.lines()).values(), values);
+}
+
 TEST(TaskOptions, theTypeOfARobotIsANumber) {
   EXPECT_EQ(TaskOptions().robotType(), 0);
   EXPECT_EQ(TaskOptions(std::map<std::string, std::string>{{"type", "3"}}).robotType(), 3);
@@ -61,4 +74,4 @@ TEST(TaskOptions, theTypeOfARobotIsANumber) {
 }
 
 }  // namespace
-}  // namespace plumbline::training
+}  // namespace plumbline
