@@ -118,6 +118,13 @@ void writePage(const std::vector<RealRobot>& robots) {
         const json one = kept.read();
         pages += one["page"].get<std::string>();
         figures.insert(figures.end(), one["figures"].begin(), one["figures"].end());
+        if (!one["claimed"].is_null() && !one["mean"].is_null())
+          figures.push_back(
+              {{"name", "gap-real.claim-off." + robot.id + "." + split.name + "." + nameOf(method)},
+               {"value", 100 * std::abs(one["claimed"].get<double>() - one["mean"].get<double>())},
+               {"unit", "points"},
+               {"better", "lower"},
+               {"target", 10}});
       }
     if (!pages.empty()) page += "\n## " + robot.title + "\n\n" + robot.about + pages + "\n" + robot.limits;
   }
