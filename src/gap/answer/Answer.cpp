@@ -271,6 +271,7 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
                               {"nominal", number(b.nominal)},
                               {"corrected", number(b.corrected)}});
   j["remarks"] = input.remarks;
+  j["servo_settings"] = settingsJson(input.settings);
   j["runs"] = json::array();
   for (const RunNotes& run : input.runs) {
     json left = json::array();

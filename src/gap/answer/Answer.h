@@ -4,6 +4,7 @@
 #include <string>
 #include <vector>
 
+#include "gap/answer/ServoSettings.h"
 #include "gap/diagnosis/Diagnosis.h"
 #include "gap/run/Run.h"
 
@@ -23,6 +24,7 @@ struct AnswerInput {
   std::vector<RunNotes> runs;
   std::string nextMotion;
   std::vector<std::string> remarks = {};
+  ServoSettings settings = {};
 };
 
 /// A cause with its value, as answers list it.

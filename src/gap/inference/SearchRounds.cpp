@@ -49,7 +49,7 @@ bool SearchRounds::decode(const Explanation& causes) {
   Explanation onTime = causes;
   std::erase_if(onTime, [](const Cause& cause) { return cause.effect->delaysCommands; });
   // A small delay explains what lost commands do on average, and hides the rest.
-  if (!lost_.any() && onTime.size() < causes.size())
+  if (onTime.size() < causes.size())
     if (Decoded other = decodedWith(onTime, causes); other.lost.evidence > best.lost.evidence)
       best = std::move(other);
   if (best.lost.evidence > 0) {

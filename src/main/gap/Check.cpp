@@ -5,6 +5,7 @@
 
 #include "framework/Parallel.h"
 #include "framework/WriteFile.h"
+#include "gap/answer/ServoSettings.h"
 #include "gap/diagnosis/ExplanationFile.h"
 #include "gap/inference/LeftJson.h"
 #include "gap/replay/CurrentSide.h"
@@ -85,6 +86,9 @@ void check(const CheckOptions& options) {
   putFloors(trials, left);
   putNoise(trials, left);
   nlohmann::json result = checkJson(left);
+  const std::vector<std::string> beyond =
+      settingsBeyond(settingsIn(answer.value("servo_settings", nlohmann::json())), trials);
+  result["beyond"] = beyond;
   const std::string verdict = answer["verdict"];
   result["verdict"] = verdict;
   const Claimed claimed = claimedIn(answer, options.further);
@@ -110,6 +114,7 @@ void check(const CheckOptions& options) {
     std::printf(" (90 %%: %.0f to %.0f %%)", 100 * interval[0].get<double>(),
                 100 * interval[1].get<double>());
   std::printf(".\n");
+  for (const std::string& line : beyond) std::printf("%s: no claim is made about that.\n", line.c_str());
 }
 
 }  // namespace

@@ -108,6 +108,7 @@ void diagnoseRuns(const DiagnoseOptions& options) {
   if (segments > 0 && !options.quiet)
     std::fprintf(stderr, "gap: looks at %zu segments of these long runs (--seconds)\n", segments);
 
+  input.settings = servoSettings(trials);
   if (const std::string hint = holdHint(trials); !hint.empty())
     std::fprintf(stderr, "gap: %s\n", hint.c_str());
 
