@@ -267,7 +267,7 @@ install deb: packages
 	@scripts/make_man.sh
 	@$($@Command) > build/SimRelease/$@.log || { tail -5 build/SimRelease/$@.log >&2; exit 2; }
 	@echo "$@: what went where is in build/SimRelease/$@.log"
-installCommand = cmake --install build/SimRelease/cmake $(if $(PREFIX),--prefix "$(abspath $(PREFIX))")
+installCommand = cmake --install build/SimRelease/cmake $(if $(PREFIX),--prefix "$$(realpath -ms -- "$(PREFIX)")")
 debCommand = cpack --config build/SimRelease/cmake/CPackConfig.cmake
 
 thread: packages

@@ -4,8 +4,8 @@
 #   --keep     leaves the fewest inputs that reach all that was reached in tests/data/fuzz/TARGET.inputs, which every test
 #              run plays again; SECONDS=0 does that alone
 # It starts from those and goes on from build/fuzz/TARGET/, what it found before. An input that breaks a reader is kept in
-# build/fuzz/findings/, and the status is 1. Says at the start how long it takes, 18 minutes for all 46 targets; the table
-# is build/fuzz/table.txt too.
+# build/fuzz/findings/, and the status is 1. Says at the start how many targets there are and when it is done; the table is
+# build/fuzz/table.txt too.
 # Example: scripts/fuzz.sh 300 matchFile robotFile
 set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"

@@ -15,7 +15,7 @@ make check           everything that takes long: all tests, and the thread sanit
 make thread          the thread sanitizer over what has threads (AREAS="..." for others)
 make coverage        which lines of src/ the tests run, a line per folder (AREAS="..." for some tests)
 make mutation        whether tests notice thresholds and operators that are changed (FOLDERS="walking", MOST=20)
-make fuzz            libFuzzer on all 46 that read from outside, 18 minutes: SECONDS=20 of each (TARGETS="..." for some)
+make fuzz            libFuzzer on all that reads from outside: SECONDS=20 of each, a quarter of an hour and more (TARGETS="..." for some)
 make faults, kills   calls of the system that fail, and kills, in every program (FAULTJOBS="..." for some; KILLS=8, SEED=1)
 make stops           SIGINT and SIGTERM in every program, which must end within a second (FAULTJOBS="..."; STOPS=8, SEED=1)
 make soak            a long game: memory and cost of simulator and agents (MINUTES=10, AGENTS=22)

@@ -1,6 +1,7 @@
 #include "framework/WriteFile.h"
 
 #include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -47,6 +48,17 @@ bool writeAll(int fd, std::string_view rest) {
 /// Some file systems cannot sync (EINVAL): what they hold is as safe as it gets.
 bool sync(int fd) { return ::fsync(fd) == 0 || errno == EINVAL; }
 
+/// What is no file, as /dev/null, must stay what it is.
+bool isDeviceOrPipe(const std::string& path) {
+  struct stat status {};
+  return ::stat(path.c_str(), &status) == 0 && !S_ISREG(status.st_mode) && !S_ISDIR(status.st_mode);
+}
+
+bool writeOnto(const std::string& path, const std::string& content) {
+  Descriptor file(::open(path.c_str(), O_WRONLY | O_CLOEXEC));
+  return file.get() >= 0 && writeAll(file.get(), content) && file.close();
+}
+
 bool writePartial(const std::string& partial, const std::string& content) {
   Descriptor file(::open(partial.c_str(), O_WRONLY | O_CREAT | O_TRUNC | O_CLOEXEC, 0666));
   return file.get() >= 0 && writeAll(file.get(), content) && sync(file.get()) && file.close();
@@ -67,6 +79,10 @@ bool syncToDisk(const std::string& path) {
 }
 
 void writeFile(const std::string& path, const std::string& content) {
+  if (isDeviceOrPipe(path)) {
+    if (writeOnto(path, content)) return;
+    throw std::runtime_error("cannot write " + path + ": " + std::strerror(errno));
+  }
   const std::string partial = path + ".part";
   if (!writePartial(partial, content) || std::rename(partial.c_str(), path.c_str()) != 0) {
     const int error = errno;

@@ -4,7 +4,8 @@
 namespace plumbline {
 
 /// Writes the whole file under another name, syncs it to the disk and renames it: a reader never sees
-/// half of it, nor does anybody after a loss of power. Throws std::runtime_error "cannot write PATH: REASON".
+/// half of it, nor does anybody after a loss of power. A device or pipe (/dev/stdout) is written as it is.
+/// Throws std::runtime_error "cannot write PATH: REASON".
 void writeFile(const std::string& path, const std::string& content);
 
 /// Makes a file, or the names in a folder, outlast a loss of power. False, with errno: the disk does not take

@@ -21,6 +21,7 @@ namespace {
 
 constexpr int idleWait = 1000, busyWait = 5;  ///< [ms]
 constexpr int linesAtOnce = 64;               ///< of a client before the others have their turn
+constexpr int clientsAtOnce = 256;            ///< that are taken in before the others have their turn
 
 }  // namespace
 
@@ -52,7 +53,7 @@ void DebugServer::listen(const DebugServerOptions& options) {
   setsockopt(listener_, SOL_SOCKET, SO_REUSEADDR, &on, sizeof(on));
   socklen_t size = sizeof(address);
   auto* general = reinterpret_cast<sockaddr*>(&address);
-  if (listener_ < 0 || bind(listener_, general, size) != 0 || ::listen(listener_, 64) != 0 ||
+  if (listener_ < 0 || bind(listener_, general, size) != 0 || ::listen(listener_, SOMAXCONN) != 0 ||
       getsockname(listener_, general, &size) != 0) {
     const std::string why = std::strerror(errno);
     if (listener_ >= 0) ::close(listener_);
@@ -62,10 +63,7 @@ void DebugServer::listen(const DebugServerOptions& options) {
 }
 
 DebugServer::~DebugServer() {
-  for (Client& client : clients_) {
-    if (client.inspected >= 0) inspector_.close(client.inspected);
-    ::close(client.fd);
-  }
+  for (const Client& client : clients_) close(client);
   for (const int fd : joined_) ::close(fd);
   if (listener_ >= 0) ::close(listener_);
   ::close(joining_);
@@ -89,22 +87,40 @@ void DebugServer::takeJoined() {
   const std::lock_guard lock(mutex_);
   for (const int fd : joined_) {
     Client& client = add(fd);
+    client.spoke = true;
     if (!client.ends) admit(client);
   }
   joined_.clear();
 }
 
 DebugServer::Client& DebugServer::add(int fd) {
+  const bool hasRoom = clients_.size() < maxClients || makeRoom();
   Client& client = clients_.emplace_back();
   client.fd = fd;
   client.progress = Clock::now();
-  if (clients_.size() > maxClients)
-    end(client, "too many clients: " + std::to_string(maxClients) + " are there");
+  if (!hasRoom) end(client, "too many clients: " + std::to_string(maxClients) + " are there");
   return client;
 }
 
+bool DebugServer::makeRoom() {
+  for (auto client = clients_.begin(); client != clients_.end();
+       ++client) {  // in the order in which they came
+    if (client->spoke || client->ends) continue;
+    // It may have spoken since it was last listened to.
+    receive(*client);
+    takeLines(*client);
+    if (client->spoke || client->ends) continue;
+    end(*client, "you have said nothing, and other clients need the place");
+    send(*client);
+    close(*client);
+    clients_.erase(client);
+    return true;
+  }
+  return false;
+}
+
 void DebugServer::accept() {
-  for (;;) {
+  for (int taken = 0; taken < clientsAtOnce; ++taken) {
     const int fd = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
     if (fd < 0) return;
     const int on = 1;
@@ -150,8 +166,12 @@ void DebugServer::end(Client& client, const std::string& error) {
 
 void DebugServer::takeLine(Client& client, std::string_view line) {
   if (!line.empty() && line.back() == '\r') line.remove_suffix(1);
-  if (client.inspected >= 0) return inspector_.command(client.inspected, line);
+  if (client.inspected >= 0) {
+    client.spoke = true;
+    return inspector_.command(client.inspected, line);
+  }
   if (!sameSecret(line, token_)) return end(client, "the first line must be the token");
+  client.spoke = true;
   admit(client);
 }
 
@@ -195,6 +215,11 @@ void DebugServer::send(Client& client) {
   if (client.ends && client.out.empty()) client.dead = true;
 }
 
+void DebugServer::close(const Client& client) {
+  if (client.inspected >= 0) inspector_.close(client.inspected);
+  ::close(client.fd);
+}
+
 void DebugServer::sweep() {
   const auto now = Clock::now();
   for (auto at = clients_.begin(); at != clients_.end();) {
@@ -204,8 +229,7 @@ void DebugServer::sweep() {
       ++at;
       continue;
     }
-    if (at->inspected >= 0) inspector_.close(at->inspected);
-    ::close(at->fd);
+    close(*at);
     at = clients_.erase(at);
   }
 }

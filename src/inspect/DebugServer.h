@@ -21,7 +21,8 @@ struct DebugServerOptions {
 
 /// The debug port: lines of text over TCP, in both directions. The length of a line, the data that waits for
 /// a slow client, and the number of clients are bounded. A client beyond a limit gets an error and is closed.
-/// Values of a watch are left out first, and the client gets their number.
+/// Values of a watch are left out first, and the client gets their number. With as many clients as there may
+/// be, one that has said nothing gives way to a newcomer.
 class DebugServer {
 public:
   static constexpr std::size_t maxLine = std::size_t{64} << 10;
@@ -50,7 +51,8 @@ private:
     int fd = -1, inspected = -1;  ///< inspected: -1 until it may ask
     std::string in, out;
     std::size_t sent = 0, dropped = 0;
-    bool ends = false;  ///< when all is sent
+    bool spoke = false;  ///< a line, after the token if there is one; or it belongs to the program
+    bool ends = false;   ///< when all is sent
     bool dead = false;
     Clock::time_point progress{};
   };
@@ -59,6 +61,7 @@ private:
   void accept();
   void takeJoined();
   Client& add(int fd);
+  bool makeRoom();
   void receive(Client& client);
   void takeLines(Client& client);
   void takeLine(Client& client, std::string_view line);
@@ -67,6 +70,7 @@ private:
   bool append(Client& client, std::string_view line, bool droppable);
   void end(Client& client, const std::string& error);
   void send(Client& client);
+  void close(const Client& client);
   void sweep();
 
   Inspector& inspector_;

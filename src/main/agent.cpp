@@ -21,6 +21,7 @@
 #include "framework/WriteFile.h"
 #include "modules/behavior/MotionPlayer.h"
 #include "modules/evaluation/DecisionRecorder.h"
+#include "modules/evaluation/OutputProblems.h"
 #include "modules/infrastructure/AgentLog.h"
 #include "modules/infrastructure/CognitionConfigLoader.h"
 #include "modules/infrastructure/DebugModule.h"
@@ -191,7 +192,9 @@ void requirePlatform(const Controller& controller, const Platform& platform,
     requireModule(controller, modulesConfig, name, what);
 }
 
-int runAgent(const Options& options, const Platform& platform) {
+void notify(const std::string& line) { fmt::print(stderr, "agent: {}\n", line); }
+
+int runAgent(const Options& options, const Platform& platform, std::shared_ptr<OutputProblems> problems) {
   if (options.parameters) {
     fmt::print("{}", parameterPage());
     return 0;
@@ -217,9 +220,9 @@ int runAgent(const Options& options, const Platform& platform) {
   if (!options.log.replays()) requirePlatform(controller, platform, setup.modulesConfig);
   const CrashLog crashLog(options.crashLog);
   LogBuffer::instance().setVerbose(options.verbose);
-  const auto notify = [](const std::string& line) { fmt::print(stderr, "agent: {}\n", line); };
   platform.addObjects(controller.objects(), notify);
   if (const auto* robot = controller.objects().find<RobotModel>()) streamJointsOf(*robot);
+  controller.objects().set(std::move(problems));
   controller.objects().set(std::make_shared<MotionToPlay>(MotionToPlay{options.motion, options.motionOnce}));
   controller.objects().set(std::make_shared<FieldChoice>(FieldChoice{options.field}));
   controller.objects().set(std::make_shared<StatusOptions>(StatusOptions{options.status}));
@@ -233,7 +236,7 @@ int runAgent(const Options& options, const Platform& platform) {
     options.debug->notify = notify;
     options.debug->server.listens = options.debugs;
     if (options.serves)
-      options.debug->serve = [&options, notify](inspect::DebugServer& server) {
+      options.debug->serve = [&options](inspect::DebugServer& server) {
         auto page = std::make_shared<pages::AgentPage>(options.web, server);
         notify("page " + page->address());
         return page;
@@ -267,7 +270,10 @@ int runProgram(int argc, char** argv) {
   CommandLine app("A humanoid robot that plays soccer, on one of the platforms; simspark is the 3D league.");
   declare(app, options, *platform);
   if (const auto status = readCommandLine(app, argc, argv)) return *status;
-  return runAgent(options, *platform);
+  const auto problems = std::make_shared<OutputProblems>(notify);
+  const int status = runAgent(options, *platform, problems);
+  // Only now: some modules write as they end.
+  return status == 0 && problems->any() ? ConfigurationError::exitCode : status;
 }
 
 }  // namespace

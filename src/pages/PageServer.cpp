@@ -16,12 +16,14 @@
 #include <thread>
 
 #include "framework/Loopback.h"
+#include "pages/Visitors.h"
 
 namespace plumbline::pages {
 
 namespace {
 
 constexpr std::size_t maxPages = 64;
+constexpr std::size_t maxVisitors = 128;  ///< beyond them silent connections give way
 constexpr const char* protocolName = "plumbline";
 
 /// A page's connection.
@@ -55,6 +57,11 @@ void* reallocate(void* old, std::size_t size, const char*) {
   return made;
 }
 
+bool hasSent(lws* wsi) {
+  char byte = 0;
+  return recv(lws_get_socket_fd(wsi), &byte, 1, MSG_PEEK | MSG_DONTWAIT) > 0;
+}
+
 /// Whether the port is free: asked first, as libwebsockets 4.1.6 loses memory where it can't bind. True too
 /// for what is no IPv4 address (an interface's name), which only the library knows.
 bool canListen(const std::string& address, int port) {
@@ -84,8 +91,12 @@ struct PageServer::Implementation {
   void receive(Session& session, lws* wsi, std::string_view bytes);
   /// Sends at most one message; whatever is waiting comes when the page has taken it.
   bool sendNext(Session& session, lws* wsi);
+  /// Of every connection: when it comes, asks for something, goes.
+  void follow(lws* wsi, lws_callback_reasons reason);
   int serve(lws* wsi, lws_callback_reasons reason, void* user, void* bytes, std::size_t size);
   static int callback(lws* wsi, lws_callback_reasons reason, void* user, void* bytes, std::size_t size);
+  static int httpCallback(lws* wsi, lws_callback_reasons reason, void* user, void* bytes, std::size_t size);
+  static Implementation* of(lws* wsi);
 
   Config config;
   PageSource& source;
@@ -94,6 +105,7 @@ struct PageServer::Implementation {
   lws_context* context = nullptr;
   int port = 0;
   std::size_t pages = 0;
+  Visitors visitors{maxVisitors};
   std::atomic<bool> stopping = false;
   std::thread thread;
 };
@@ -102,7 +114,7 @@ PageServer::Implementation::Implementation(const Config& given, PageSource& sour
     : config(given), source(source) {
   if (config.address == "localhost") config.address = "127.0.0.1";
   protocols[0].name = "http";
-  protocols[0].callback = lws_callback_http_dummy;
+  protocols[0].callback = httpCallback;
   protocols[1].name = protocolName;
   protocols[1].callback = callback;
   protocols[1].per_session_data_size = sizeof(Session*);
@@ -122,7 +134,7 @@ PageServer::Implementation::Implementation(const Config& given, PageSource& sour
   info.protocols = protocols.data();
   info.mounts = &mount;
   info.user = this;
-  info.fd_limit_per_thread = 256;
+  info.fd_limit_per_thread = 2 * maxVisitors;  // a burst, until the silent ones are closed
   info.gid = info.uid = static_cast<unsigned>(-1);
   info.options = LWS_SERVER_OPTION_FAIL_UPON_UNABLE_TO_BIND | LWS_SERVER_OPTION_DISABLE_IPV6 |
                  LWS_SERVER_OPTION_HTTP_HEADERS_SECURITY_BEST_PRACTICES_ENFORCE;
@@ -192,6 +204,19 @@ bool PageServer::Implementation::sendNext(Session& session, lws* wsi) {
   return true;
 }
 
+void PageServer::Implementation::follow(lws* wsi, lws_callback_reasons reason) {
+  if (reason == LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED) {
+    visitors.add(wsi);
+    if (lws* silent = visitors.toClose(hasSent))
+      lws_set_timeout(silent, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_ASYNC);
+  } else if (reason == LWS_CALLBACK_FILTER_HTTP_CONNECTION ||
+             reason == LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION) {
+    visitors.asked(wsi);
+  } else if (reason == LWS_CALLBACK_WSI_DESTROY) {
+    visitors.remove(wsi);
+  }
+}
+
 int PageServer::Implementation::serve(lws* wsi, lws_callback_reasons reason, void* user, void* bytes,
                                       std::size_t size) {
   auto** session = static_cast<Session**>(user);
@@ -224,10 +249,23 @@ int PageServer::Implementation::serve(lws* wsi, lws_callback_reasons reason, voi
 
 int PageServer::Implementation::callback(lws* wsi, lws_callback_reasons reason, void* user, void* bytes,
                                          std::size_t size) {
+  Implementation* self = of(wsi);
+  if (!self) return 0;
+  self->follow(wsi, reason);
+  return self->serve(wsi, reason, user, bytes, size);
+}
+
+int PageServer::Implementation::httpCallback(lws* wsi, lws_callback_reasons reason, void* user, void* bytes,
+                                             std::size_t size) {
+  if (Implementation* self = of(wsi)) self->follow(wsi, reason);
+  return lws_callback_http_dummy(wsi, reason, user, bytes, size);
+}
+
+/// Null while the context is being made or unmade: then there is nothing to do.
+PageServer::Implementation* PageServer::Implementation::of(lws* wsi) {
   lws_context* context = lws_get_context(wsi);
   auto* self = context ? static_cast<Implementation*>(lws_context_user(context)) : nullptr;
-  // While the context is being made or unmade there is nothing to do.
-  return self && self->context ? self->serve(wsi, reason, user, bytes, size) : 0;
+  return self && self->context ? self : nullptr;
 }
 
 PageServer::PageServer(const Config& config, PageSource& source)

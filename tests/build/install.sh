@@ -1,10 +1,33 @@
 #!/usr/bin/env bash
-# `make install` into a scratch folder: programs that run there, manual pages, completion, and a project outside the tree
-# that links the components one by one.
+# `make install` into a scratch folder, with PREFIX and DESTDIR: programs that run there, manual pages, completion, and a project
+# outside the tree that links the components one by one.
 source "$(dirname "$0")/../e2e/assert.bash"
 [[ $bin == "$PWD/bin" ]] || bin=$PWD/bin
 prefix="$scratch/opt plumbline"
-cmake --install build/SimRelease/cmake --prefix "$prefix" > "$scratch/log" || fail "install: $(tail -3 "$scratch/log")"
+unset MAKEFLAGS MFLAGS MAKELEVEL MAKEOVERRIDES V PREFIX DESTDIR
+if scripts/install_packages.sh scripts/packages-install.txt > "$scratch/log" 2>&1; then
+  make install PREFIX="$prefix" > "$scratch/log" 2>&1 || fail "make install: $(tail -3 "$scratch/log")"
+  make install PREFIX=/usr DESTDIR="$scratch/root" > "$scratch/log" 2>&1 || fail "make install with DESTDIR: $(tail -3 "$scratch/log")"
+  [[ ! -e /usr/bin/plumbline-gap || /usr/bin/plumbline-gap -ot $scratch/log ]] || fail "DESTDIR did not keep it out of /usr"
+  # All that is in one is in the other; what names the place itself may differ.
+  cmp <(cd "$prefix" && find . | sort) <(cd "$scratch/root/usr" && find . | sort) || fail "DESTDIR has other files than PREFIX"
+  [[ $(ls "$scratch/root") == usr ]] || fail "outside of PREFIX: $(ls "$scratch/root")"
+  [[ $("$scratch/root/usr/bin/plumbline-gap" effects --robot so101) == *'on so101'* ]] || fail "gap does not run in DESTDIR"
+
+  # A manual page for each program, with its name, what it does and examples.
+  for program in "$prefix"/lib/plumbline/bin/*; do
+    [[ $program != *.sh ]] || continue
+    name=plumbline-${program##*/}
+    page=$prefix/share/man/man1/$name.1
+    grep -qi "^\.TH ${name^^} " "$page" || fail "$page: no heading of $name"
+    grep -q "^$name "'\\- .' "$page" || fail "$page does not say what $name does"
+    grep -qi '^\(\.S[HS] "\?\)\?example' "$page" || fail "$page has no examples"
+    ! command -v man > /dev/null || MANWIDTH=80 man -l "$page" 2>&1 | grep -q . || fail "man does not show $page"
+  done
+else
+  echo "without manual pages: $(tail -1 "$scratch/log")"
+  cmake --install build/SimRelease/cmake --prefix "$prefix" > "$scratch/log" || fail "install: $(tail -3 "$scratch/log")"
+fi
 
 # Programs find each other and their configuration from any folder.
 cd "$scratch"

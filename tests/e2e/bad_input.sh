@@ -24,13 +24,23 @@ for program in agent simulator; do
 done
 expectError 2 "simulator: $scratch/none.yaml: cannot be read: No such file or directory" "$bin/simulator" --field "$scratch/none.yaml"
 
-# Every program says its version, has examples in its help, and shows nothing of the option parser's insides.
-for program in agent simulator game gap optimizewalk webmonitor simplemonitor watchgame; do
-  [[ $("$bin/$program" --version) == "$program (Plumbline "*")" ]] || fail "$program --version: $("$bin/$program" --version)"
-  help=$("$bin/$program" --help)
+# Every program says its version, has examples in its help, shows nothing of the option parser's insides, and names the nearest
+# option and command.
+programs=()
+for file in "$bin"/*; do
+  program=${file##*/}
+  [[ -x $file && $program != *.* ]] || continue # scripts are another matter
+  programs+=("$program")
+  [[ $("$file" --version) == "$program (Plumbline "*")" ]] || fail "$program --version: $("$file" --version)"
+  help=$("$file" --help)
   [[ $help == *Example* ]] || fail "$program --help has no examples"
   [[ $help != *'{false}'* ]] || fail "$program --help shows {false}"
+  expectError 2 "$program: there is no option --hepl; did you mean \"--help\"?; see $program --help" "$file" --hepl
+  command=$(sed -n '/^Subcommands:/,/^$/s/^  \([a-z]\{1,\}\) .*/\1/p' <<< "$help" | head -1)
+  [[ ! $command ]] ||
+    expectError 2 "$program: there is no command ${command}x; did you mean \"$command\"?; see $program --help" "$file" "${command}x"
 done
+((${#programs[@]} >= 10)) || fail "few programs in $bin: ${programs[*]}"
 for command in record diagnose report apply next blind reveal import effects settings; do
   [[ $("$bin/gap" "$command" --help) == *Example* ]] || fail "gap $command --help has no examples"
 done

@@ -1,5 +1,5 @@
-# Agents that wait for a server, servers that do not read, crowds of idle connections: who waits says for what, and a
-# signal ends every program at once.
+# Agents that wait for a server, for a number or for others, and servers that do not read: who waits says for what, and a
+# signal ends every program at once. Of crowds of idle connections, idle_connections.sh.
 source "$(dirname "${BASH_SOURCE[0]}")/assert.bash"
 
 server() { # name, options...

@@ -153,6 +153,16 @@ agent_log_prepare() { cp -r "$sample" log; }
 agent_log_run() { "$bin/agent" --replay log --log again --crash-log crash.log; }
 agent_log_check() { readableLog again; }
 
+# Where the disk takes no more, the whole lines before stay.
+job agent_decisions agent
+agent_decisions_prepare() { "$bin/game" --seed 8 --limit 6 --output out --agent-option=--log --agent-option=log --agent-option=--log-wait > /dev/null || [[ -s log/metadata.yaml ]]; }
+agent_decisions_run() { "$bin/agent" --replay log --decisions decisions --crash-log crash.log; }
+agent_decisions_check() { # only a kill may leave half a line, which readers leave out
+  local file=decisions/left-1.csv
+  [[ -e $file ]] || return 0
+  ! sed '$d' $file | awk -F, 'NF != 23' | grep . && { ((status == 137)) || { [[ ! $(tail -c 1 $file) ]] && ! awk -F, 'NF != 23' $file | grep .; }; }
+}
+
 job agent_graph agent
 agent_graph_prepare() { echo old > graph.dot; }
 agent_graph_run() { "$bin/agent" --graph graph.dot; }

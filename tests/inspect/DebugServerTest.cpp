@@ -8,6 +8,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <list>
 #include <memory>
 #include <thread>
 
@@ -158,19 +159,40 @@ TEST_F(DebugServerTest, aClientThatReadsNothingMissesValuesAndHoldsNobodyUp) {
   EXPECT_TRUE(reported);
 }
 
-TEST_F(DebugServerTest, twoHundredSilentClientsHinderNobody) {
+TEST_F(DebugServerTest, silentClientsGiveWay) {
   start();
-  std::vector<std::unique_ptr<Peer>> silent;
-  for (int i = 0; i < 200; ++i) silent.push_back(std::make_unique<Peer>(server->port()));
+  Peer early(server->port());
+  early.say("get nothing\n");
+  EXPECT_EQ(early.line(), "error: nothing is called nothing");
+  const int page = server->join();
+  std::list<Peer> silent;
+  for (int i = 0; i < 300; ++i) silent.emplace_back(server->port());
   EXPECT_EQ(ask("get nothing"), "error: nothing is called nothing");
-  for (int i = 200; i < static_cast<int>(DebugServer::maxClients); ++i)
-    silent.push_back(std::make_unique<Peer>(server->port()));
-  std::string last;
-  for (int i = 0; i < 100 && last != "error: too many clients: 256 are there"; ++i) {
-    Peer one(server->port());
-    last = one.line();
+  EXPECT_EQ(silent.front().line(), "error: you have said nothing, and other clients need the place");
+  EXPECT_EQ(silent.front().line(), "closed");
+  early.say("get nothing\n");
+  EXPECT_EQ(early.line(), "error: nothing is called nothing") << "who has said something keeps its place";
+  char byte = 0;
+  EXPECT_EQ(recv(page, &byte, 1, MSG_DONTWAIT), -1) << "and who belongs to the program";
+  EXPECT_EQ(errno, EAGAIN);
+  close(page);
+}
+
+TEST_F(DebugServerTest, silentClientsGiveWayBeforeATokenToo) {
+  start("secret");
+  std::list<Peer> silent;
+  for (int i = 0; i < 300; ++i) silent.emplace_back(server->port()).say("sec");
+  EXPECT_EQ(ask("secret\nget nothing"), "error: nothing is called nothing");
+}
+
+TEST_F(DebugServerTest, whoComesWhenAllHaveSpokenIsSentAway) {
+  start();
+  std::list<Peer> clients;
+  for (std::size_t i = 0; i < DebugServer::maxClients; ++i) {
+    clients.emplace_back(server->port()).say("get nothing\n");
+    EXPECT_EQ(clients.back().line(), "error: nothing is called nothing");
   }
-  EXPECT_EQ(last, "error: too many clients: 256 are there");
+  EXPECT_EQ(ask("get nothing"), "error: too many clients: 256 are there");
 }
 
 TEST_F(DebugServerTest, wantsItsTokenFirst) {

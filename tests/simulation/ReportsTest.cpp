@@ -1,9 +1,21 @@
 #include "simulation/server/Reports.h"
 
 #include <gtest/gtest.h>
+#include <sys/syscall.h>
+#include <unistd.h>
 
 #include "support/ScratchFolder.h"
 #include "support/Thrown.h"
+
+namespace {
+int syncs = 0;
+}
+
+/// In the place of the C library's: counts, and does the same.
+extern "C" int fsync(int fd) {
+  ++syncs;
+  return static_cast<int>(syscall(SYS_fsync, fd));
+}
 
 namespace plumbline::simulation {
 namespace {
@@ -33,6 +45,17 @@ TEST(Reports, statisticsOfARunAndOfNone) {
   EXPECT_EQ(scratch.read("some"),
             "{\"cycles\": 100, \"cpu_us_per_cycle\": 500.00, \"sim_s\": 2.00, \"wall_s\": 0.500, "
             "\"x_real_time\": 4.00}\n");
+}
+
+TEST(Reports, outlastALossOfPower) {
+  const test::ScratchFolder scratch;
+  const auto syncsOf = [](const auto& write) {
+    syncs = 0;
+    write();
+    return syncs;
+  };
+  EXPECT_EQ(syncsOf([&] { writePorts(scratch / "ports", 3100, 3200); }), 2) << "the file and its folder";
+  EXPECT_EQ(syncsOf([&] { writeStatistics(scratch / "statistics", {}); }), 2);
 }
 
 TEST(Reports, aFolderThatThereIsNotIsNamed) {

@@ -3,9 +3,11 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
+#include "framework/ConfigurationError.h"
 #include "math/Angle.h"
-#include "modules/evaluation/PlayerFile.h"
+#include "modules/evaluation/OutputProblems.h"
 
 namespace plumbline {
 
@@ -27,9 +29,17 @@ double directionOf(const StrikerDecision& decision) {
 
 }  // namespace
 
+DecisionRecorder::DecisionRecorder() : file_("the decisions", columnNames()) {}
+
 void DecisionRecorder::init() {
   const DecisionOptions* options = findObject<DecisionOptions>();
   folder_ = options ? options->folder : "";
+  if (folder_.empty()) return;
+  try {
+    PlayerFile::prepare(folder_);
+  } catch (const std::runtime_error& error) {
+    throw ConfigurationError(std::string("--decisions: ") + error.what());
+  }
 }
 
 bool DecisionRecorder::due() const {
@@ -43,7 +53,6 @@ bool DecisionRecorder::due() const {
 
 void DecisionRecorder::write() {
   const StrikerDecision& now = *theStrikerDecision;
-  openPlayerFile(out_, folder_, *thePlayerInfo, columnNames());
   std::string line = fmt::format("{:.2f},{:.2f},{:.2f}", theGameState->time, now.ball.x(), now.ball.y());
   for (std::size_t i = 0; i < StrikerDecision::maxOptions; ++i) {
     if (i >= now.options.size()) {
@@ -54,11 +63,7 @@ void DecisionRecorder::write() {
     line += fmt::format(",{},{:.2f},{:.2f},{:.3f},{:.3f}", option.action, option.end.x(), option.end.y(),
                         option.value, option.goal);
   }
-  // Whole at once, as the agent may be ended at any time.
-  if (!(out_ << line << '\n' << std::flush)) {
-    log.error() << "the decisions cannot be written any more";
-    folder_.clear();
-  }
+  file_.write(folder_, *thePlayerInfo, line + '\n', object<OutputProblems>());
   ++lines_;
   written_ = theFrameInfo->time;
   action_ = now.options.front().action;

@@ -1,8 +1,8 @@
 #pragma once
-#include <fstream>
 #include <string>
 
 #include "framework/Module.h"
+#include "modules/evaluation/PlayerFile.h"
 #include "representations/behavior/StrikerDecision.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameState.h"
@@ -35,6 +35,7 @@ END_MODULE
 /// it goes in. Team's frame [m]. Columns of others that there are not are empty.
 class DecisionRecorder : public DecisionRecorderBase {
 public:
+  DecisionRecorder();
   void init() override;
   void execute() override;
 
@@ -43,7 +44,7 @@ private:
   void write();
 
   std::string folder_;  ///< empty: nothing is written
-  std::ofstream out_;
+  PlayerFile file_;
   int lines_ = 0;
   double written_ = -1e9;  ///< when the last line was [s]
   std::string action_;     ///< in it

@@ -4,17 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 #include "math/GroundPose.h"
-#include "modules/evaluation/PlayerFile.h"
+#include "modules/evaluation/OutputProblems.h"
 
 namespace plumbline {
 
 MAKE_MODULE(KickEvaluation)
 
+KickEvaluation::KickEvaluation()
+    : file_("the kicks", "time,kick,foot,x,y,believedX,believedY,heading,way,direction") {}
+
+void KickEvaluation::init() {
+  try {
+    PlayerFile::prepare(folder);
+  } catch (const std::runtime_error& error) {
+    refuse("folder", error.what());
+  }
+}
+
 void KickEvaluation::begin() {
-  openPlayerFile(out_, folder, *thePlayerInfo,
-                 "time,kick,foot,x,y,believedX,believedY,heading,way,direction");
   const std::string& name = theMotionRequest->kick;
   const auto& kicks = theSkillKickParameters->kicks;
   const auto kick = std::ranges::find(kicks, name, &Kick::motion);
@@ -36,7 +46,9 @@ void KickEvaluation::finish() {
   if (!begun_) return;
   const Vec2 way = ball_ - begun_->ball;
   const double direction = normalizeAngle(std::atan2(way.y(), way.x()) - begun_->robot.heading);
-  out_ << fmt::format("{},{:.2f},{:.1f}\n", begun_->line, way.norm(), toDegrees(direction)) << std::flush;
+  file_.write(folder, *thePlayerInfo,
+              fmt::format("{},{:.2f},{:.1f}\n", begun_->line, way.norm(), toDegrees(direction)),
+              object<OutputProblems>());
   begun_.reset();
 }
 

@@ -1,10 +1,10 @@
 #pragma once
-#include <fstream>
 #include <optional>
 #include <string>
 
 #include "framework/Module.h"
 #include "math/Pose2.h"
+#include "modules/evaluation/PlayerFile.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GroundTruth.h"
 #include "representations/infrastructure/PlayerInfo.h"
@@ -37,7 +37,9 @@ END_MODULE
 /// left of the robot's heading at the beginning [m, deg].
 class KickEvaluation : public KickEvaluationBase {
 public:
+  KickEvaluation();
   ~KickEvaluation() override { finish(); }
+  void init() override;
   void execute() override;
 
 private:
@@ -50,7 +52,7 @@ private:
   void begin();
   void finish();
 
-  std::ofstream out_;
+  PlayerFile file_;
   std::optional<Begun> begun_;
   Vec2 ball_ = Vec2::Zero();  ///< where it is now, truly [m]
 };

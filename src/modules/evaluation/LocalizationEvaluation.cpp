@@ -2,16 +2,29 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
+#include <system_error>
 
+#include "framework/WriteFile.h"
 #include "math/GroundPose.h"
+#include "modules/evaluation/OutputProblems.h"
 
 namespace plumbline {
 
 MAKE_MODULE(LocalizationEvaluation)
+
+void LocalizationEvaluation::init() {
+  if (file.empty()) return;
+  const std::filesystem::path path(file);
+  std::error_code problem;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), problem);
+  std::error_code unknown;
+  if (!problem && std::filesystem::is_directory(path, unknown))
+    problem = make_error_code(std::errc::is_a_directory);
+  if (problem) refuse("file", file + ": cannot be written: " + problem.message() + "; choose another file");
+  begun_ = true;
+}
 
 void LocalizationEvaluation::execute() {
   if (!theGroundTruth->valid) return;
@@ -33,7 +46,7 @@ void LocalizationEvaluation::execute() {
   ballRelative_.add((theBallPos->relative - robot.inverse() * ball).norm());
 }
 
-void LocalizationEvaluation::write() const {
+std::string LocalizationEvaluation::report() const {
   const auto summary = [](const ErrorStatistics& errors) {
     return nlohmann::ordered_json{{"median", errors.quantile(0.5)},
                                   {"p95", errors.quantile(0.95)},
@@ -49,22 +62,16 @@ void LocalizationEvaluation::write() const {
   report["ball_relative_error_m"] = summary(ballRelative_);
   report["tilt_error_deg"] = summary(tilt_);
 
-  // Beside it first, so that a reader never finds half a file.
-  const std::filesystem::path path(file), part(file + ".part");
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path());
-  std::ofstream out(part);
-  out << report.dump(2) << '\n';
-  out.close();
-  if (!out) throw std::runtime_error("cannot write " + part.string());
-  std::filesystem::rename(part, path);
+  return report.dump(2) + '\n';
 }
 
 LocalizationEvaluation::~LocalizationEvaluation() {
-  if (file.empty()) return;
+  if (!begun_) return;
   try {
-    write();
+    writeFile(file, report());
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "LocalizationEvaluation: %s\n", error.what());
+    object<OutputProblems>().add(std::string("LocalizationEvaluation: ") + error.what() +
+                                 "; make room, or choose another file");
   }
 }
 

@@ -28,11 +28,13 @@ END_MODULE
 class LocalizationEvaluation : public LocalizationEvaluationBase {
 public:
   ~LocalizationEvaluation() override;
+  void init() override;
   void execute() override;
 
 private:
-  void write() const;
+  std::string report() const;
 
+  bool begun_ = false;                    ///< there is a file to be written
   double firstTime_ = -1, lastTime_ = 0;  ///< [s]
   std::size_t cycles_ = 0, validCycles_ = 0;
   ErrorStatistics position_, heading_, ball_, ballRelative_, tilt_;  ///< m, degrees, m, m, degrees

@@ -1,8 +1,8 @@
 #pragma once
-#include <fstream>
 #include <string>
 
 #include "framework/Module.h"
+#include "modules/evaluation/PlayerFile.h"
 #include "representations/infrastructure/FrameInfo.h"
 #include "representations/infrastructure/GameState.h"
 #include "representations/infrastructure/PlayerInfo.h"
@@ -31,14 +31,16 @@ END_MODULE
 /// modules.cfg names it.
 class OthersEvaluation : public OthersEvaluationBase {
 public:
+  OthersEvaluation();
+  void init() override;
   void execute() override;
 
 private:
-  void write(const char* belief, const char* what, int number, const Vec2& place, double deviation,
-             double age);
-  void writeRobots(const char* belief, const std::vector<OtherRobot>& robots);
+  void add(const char* belief, const char* what, int number, const Vec2& place, double deviation, double age);
+  void addRobots(const char* belief, const std::vector<OtherRobot>& robots);
 
-  std::ofstream out_;
+  PlayerFile file_;
+  std::string lines_;             ///< of this moment
   double next_ = 0, before_ = 0;  ///< [s]
 };
 

@@ -4,6 +4,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <cerrno>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numeric>
@@ -18,7 +19,7 @@ namespace {
 using nlohmann::json;
 
 constexpr double helloPatience = 10, syncEvery = 1, farewell = 2;  // [s]
-constexpr int tickMilliseconds = 100;
+constexpr int tickMilliseconds = 100, clientsAtOnce = 256;
 constexpr double forgetting = 0.01;  // of the mean of costs
 constexpr std::size_t maxWaiting = 4 * maxLine;
 
@@ -60,13 +61,30 @@ void FarmServer::record(const Trial& trial, std::span<const double> costs, int w
 }
 
 void FarmServer::accept() {
-  for (;;) {
+  for (int taken = 0; taken < clientsAtOnce; ++taken) {
     const int fd = accept4(listener_, nullptr, nullptr, SOCK_NONBLOCK | SOCK_CLOEXEC);
+    // The system may allow fewer files than clients.
+    if (fd < 0 && (errno == EMFILE || errno == ENFILE) && makeRoom()) continue;
     if (fd < 0) return;
+    const bool hasRoom = clients_.size() < options_.maxClients || makeRoom();
     Client& client = clients_.emplace_back(Client{LineSocket(fd, maxLine, maxWaiting), now()});
-    if (clients_.size() > maxClients)
-      refuse(client, "too many clients: " + std::to_string(maxClients) + " are there");
+    if (!hasRoom) refuse(client, "too many clients: " + std::to_string(options_.maxClients) + " are there");
   }
+}
+
+bool FarmServer::makeRoom() {
+  for (auto client = clients_.begin(); client != clients_.end();
+       ++client) {  // in the order in which they came
+    if (client->worker >= 0 || client->ends) continue;
+    // It may have spoken since it was last listened to.
+    client->socket.serve(POLLIN);
+    takeLines(*client);
+    if (client->worker >= 0 || client->ends) continue;
+    refuse(*client, "you have said nothing, and others need the place");
+    clients_.erase(client);
+    return true;
+  }
+  return false;
 }
 
 void FarmServer::refuse(Client& client, const std::string& why) {

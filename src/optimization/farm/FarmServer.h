@@ -20,6 +20,7 @@ struct FarmOptions {
   int port = 0;       ///< 0: a free one
   std::string token;  ///< what clients have to say; empty: nothing, on loopback only
   DispatchOptions dispatch{};
+  std::size_t maxClients = 1024;  ///< of more, one that has said nothing gives way to a newcomer
 };
 
 /// What the server has seen since it began.
@@ -42,8 +43,6 @@ struct WorkerReport {
 /// wrong results is dropped; its trial goes to another.
 class FarmServer {
 public:
-  static constexpr std::size_t maxClients = 1024;
-
   /// Opens the port. Throws std::runtime_error, one line. journal may be null: nothing is kept then.
   FarmServer(Search& search, Journal* journal, Welcome welcome, const FarmOptions& options);
   ~FarmServer();
@@ -79,6 +78,7 @@ private:
 
   double now() const { return std::chrono::duration<double>(Clock::now() - begin_).count(); }
   void accept();
+  bool makeRoom();
   void takeLines(Client& client);
   void hello(Client& client, const std::string& line);
   void answer(Client& client, const std::string& line);

@@ -39,7 +39,7 @@ int listenOn(const std::string& address, int port, int& portHad) {
   setsockopt(fd, SOL_SOCKET, SO_REUSEADDR, &on, sizeof on);
   socklen_t size = sizeof where;
   auto* general = reinterpret_cast<sockaddr*>(&where);
-  if (fd < 0 || bind(fd, general, size) != 0 || listen(fd, 128) != 0 ||
+  if (fd < 0 || bind(fd, general, size) != 0 || listen(fd, SOMAXCONN) != 0 ||
       getsockname(fd, general, &size) != 0) {
     const std::string why = std::strerror(errno);
     if (fd >= 0) ::close(fd);

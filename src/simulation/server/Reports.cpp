@@ -1,28 +1,13 @@
 #include "simulation/server/Reports.h"
 
 #include <algorithm>
-#include <cerrno>
-#include <cstdio>
-#include <cstring>
-#include <stdexcept>
 
+#include "framework/WriteFile.h"
 #include "simspark/NumberFormat.h"
 
 namespace plumbline::simulation {
 
 namespace {
-
-void writeWhole(const std::string& file, const std::string& text) {
-  const std::string partial = file + ".part";
-  FILE* out = std::fopen(partial.c_str(), "w");
-  const bool written = out && std::fwrite(text.data(), 1, text.size(), out) == text.size();
-  const bool closed = !out || std::fclose(out) == 0;
-  if (!written || !closed || std::rename(partial.c_str(), file.c_str()) != 0) {
-    const int problem = errno;
-    std::remove(partial.c_str());
-    throw std::runtime_error("cannot write " + file + ": " + std::strerror(problem));
-  }
-}
 
 std::string number(double value, int decimals) {
   std::string text;
@@ -33,19 +18,19 @@ std::string number(double value, int decimals) {
 }  // namespace
 
 void writePorts(const std::string& file, int agentPort, int monitorPort, int webPort, int fieldPort) {
-  writeWhole(file, "{\"agent\": " + std::to_string(agentPort) +
-                       ", \"monitor\": " + std::to_string(monitorPort) +
-                       (webPort > 0 ? ", \"web\": " + std::to_string(webPort) : "") +
-                       (fieldPort > 0 ? ", \"field\": " + std::to_string(fieldPort) : "") + "}\n");
+  writeFile(file, "{\"agent\": " + std::to_string(agentPort) +
+                      ", \"monitor\": " + std::to_string(monitorPort) +
+                      (webPort > 0 ? ", \"web\": " + std::to_string(webPort) : "") +
+                      (fieldPort > 0 ? ", \"field\": " + std::to_string(fieldPort) : "") + "}\n");
 }
 
 void writeStatistics(const std::string& file, const ServerStatistics& s) {
   const double cycles = static_cast<double>(std::max<std::uint64_t>(1, s.cycles));
-  writeWhole(file, "{\"cycles\": " + std::to_string(s.cycles) +
-                       ", \"cpu_us_per_cycle\": " + number(s.cpuSeconds / cycles * 1e6, 2) +
-                       ", \"sim_s\": " + number(s.simulatedSeconds, 2) +
-                       ", \"wall_s\": " + number(s.wallSeconds, 3) + ", \"x_real_time\": " +
-                       number(s.wallSeconds > 0 ? s.simulatedSeconds / s.wallSeconds : 0, 2) + "}\n");
+  writeFile(file, "{\"cycles\": " + std::to_string(s.cycles) +
+                      ", \"cpu_us_per_cycle\": " + number(s.cpuSeconds / cycles * 1e6, 2) +
+                      ", \"sim_s\": " + number(s.simulatedSeconds, 2) +
+                      ", \"wall_s\": " + number(s.wallSeconds, 3) + ", \"x_real_time\": " +
+                      number(s.wallSeconds > 0 ? s.simulatedSeconds / s.wallSeconds : 0, 2) + "}\n");
 }
 
 }  // namespace plumbline::simulation

@@ -5,8 +5,9 @@
 
 namespace plumbline::simulation {
 
-// Small files for the caller of the simulator. Each is written under another name, then renamed: nobody reads
-// half of one. Each throws std::runtime_error, one line, if the file cannot be written.
+// Small files for the caller of the simulator, written whole (framework/WriteFile.h): nobody reads half of
+// one, nor is one empty after a loss of power. Each throws std::runtime_error, one line, if it cannot be
+// written.
 
 /// {"agent": 3100, "monitor": 3200}, and "web": 8080 if there is a page, "field": 3201 if bin/simplemonitor
 /// has its port.

@@ -3,11 +3,15 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <string>
 
+#include "framework/ConfigurationError.h"
+#include "modules/evaluation/OutputProblems.h"
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"
+#include "support/Thrown.h"
 
 namespace plumbline {
 namespace {
@@ -94,6 +98,23 @@ TEST_F(DecisionRecorderTest, aFileIsBounded) {
   harness->module().maxLines = 3;
   for (int i = 0; i < 50; ++i) cycle(110 + 2 * i);
   EXPECT_EQ(lines(), 3);
+}
+
+TEST_F(DecisionRecorderTest, aFileThatCannotBeWrittenIsSaidOnceAndThePlayerPlaysOn) {
+  auto problems = std::make_shared<OutputProblems>([](const std::string&) {});
+  harness->objects().set(problems);
+  harness->module();
+  folder.write("all/left-5.csv/in", "the way");
+  for (int i = 0; i < 3; ++i) cycle(110 + 2 * i);
+  EXPECT_TRUE(problems->any());
+  EXPECT_FALSE(harness->stop().requested());
+}
+
+TEST_F(DecisionRecorderTest, aFolderThatCannotBeIsAnErrorAtTheStart) {
+  harness->objects().set(std::make_shared<DecisionOptions>(DecisionOptions{"/proc/nope"}));
+  EXPECT_THROW(harness->module(), ConfigurationError);
+  EXPECT_EQ(thrownBy([&] { harness->module().init(); }),
+            "--decisions: /proc/nope: cannot be written: No such file or directory; choose another folder");
 }
 
 TEST_F(DecisionRecorderTest, withoutAFolderItWritesNothing) {

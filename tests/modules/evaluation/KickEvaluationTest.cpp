@@ -3,11 +3,12 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "math/Angle.h"
+#include "modules/evaluation/OutputProblems.h"
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"
 #include "support/Thrown.h"
@@ -20,7 +21,6 @@ constexpr const char* kickColumns = "time,kick,foot,x,y,believedX,believedY,head
 class KickEvaluationTest : public testing::Test {
 protected:
   KickEvaluationTest() {
-    harness->module().folder = folder / "deep";
     harness->input<PlayerInfo>().number = 5;
     Kick kick;
     kick.motion = "kickLong";
@@ -43,8 +43,12 @@ protected:
     harness->cycle();
   }
   std::string written() { return folder.read("deep/left-5.csv"); }
+  std::vector<std::string> configured() const {
+    folder.write("KickEvaluation.yaml", "folder: " + folder / "deep" + "\n");
+    return {folder.path()};
+  }
   test::ScratchFolder folder;
-  std::optional<test::ModuleHarness<KickEvaluation>> harness{std::in_place};
+  std::optional<test::ModuleHarness<KickEvaluation>> harness{configured()};
 };
 
 TEST_F(KickEvaluationTest, writesWhereTheBallLayAndHowFarItWent) {
@@ -82,12 +86,27 @@ TEST_F(KickEvaluationTest, theNextKickEndsTheOneBefore) {
 TEST_F(KickEvaluationTest, withoutTheTruthNothingIsWritten) {
   truth().valid = false;
   cycle(10, true);
-  EXPECT_FALSE(std::filesystem::exists(folder / "deep"));
+  EXPECT_EQ(written(), "");
 }
 
-TEST_F(KickEvaluationTest, aFileThatCannotBeIsAnError) {
+TEST_F(KickEvaluationTest, aFileThatCannotBeWrittenIsSaidOnce) {
+  cycle(9);
   folder.write("deep/left-5.csv/in", "the way");
-  EXPECT_EQ(thrownBy([&] { cycle(10, true); }), "cannot write " + folder / "deep/left-5.csv");
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 4; ++i) cycle(10 + i, true);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "the kicks end here: " + folder / "deep/left-5.csv" +
+                ": cannot be written: Is a directory; make room, or choose another folder\n");
+  EXPECT_TRUE(harness->objects().find<OutputProblems>()->any());
+}
+
+TEST_F(KickEvaluationTest, aFolderThatCannotBeIsAnErrorAtTheStart) {
+  folder.write("KickEvaluation.yaml", "folder: " + folder / "file/in" + "\n");
+  folder.write("file", "");
+  test::ModuleHarness<KickEvaluation> bad({folder.path()});
+  EXPECT_EQ(thrownBy([&] { bad.module(); }),
+            folder / "KickEvaluation.yaml" + ":1: folder " + folder / "file/in" +
+                ": cannot be written: Not a directory; choose another folder");
 }
 
 }  // namespace

@@ -5,10 +5,13 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <string>
+#include <vector>
 
 #include "math/Angle.h"
 #include "support/ModuleHarness.h"
 #include "support/ScratchFolder.h"
+#include "support/Thrown.h"
 
 namespace plumbline {
 namespace {
@@ -16,7 +19,6 @@ namespace {
 class LocalizationEvaluationTest : public testing::Test {
 protected:
   LocalizationEvaluationTest() {
-    harness->module().file = folder / "deep/report.json";
     truth().valid = pose().valid = ball().valid = true;
     truth().T_field_torso = translation(1, 2, 0.4);
     truth().ball = Vec3(3, 2, 0.04);
@@ -33,12 +35,17 @@ protected:
   }
   /// What is written when the agent ends.
   nlohmann::json report() {
+    harness->module();
     harness.reset();
     EXPECT_FALSE(std::filesystem::exists(folder / "deep/report.json.part"));
     return nlohmann::json::parse(folder.read("deep/report.json"));
   }
+  std::vector<std::string> configured(const std::string& file) const {
+    folder.write("LocalizationEvaluation.yaml", "file: '" + file + "'\n");
+    return {folder.path()};
+  }
   test::ScratchFolder folder;
-  std::optional<test::ModuleHarness<LocalizationEvaluation>> harness{std::in_place};
+  std::optional<test::ModuleHarness<LocalizationEvaluation>> harness{configured(folder / "deep/report.json")};
 };
 
 TEST_F(LocalizationEvaluationTest, writesHowFarTheEstimatesAreOff) {
@@ -84,13 +91,35 @@ TEST_F(LocalizationEvaluationTest, withoutACycleItsSharesAreZero) {
   EXPECT_EQ(written["position_error_m"]["cycles"], 0);
 }
 
-TEST_F(LocalizationEvaluationTest, aFileThatCannotBeWrittenIsToldAndAnEmptyNameIsNone) {
-  folder.write("file", "");
-  harness->module().file = folder / "file/report.json";
+TEST_F(LocalizationEvaluationTest, aFileThatCannotBeWrittenIsSaidAndLeavesNoPart) {
+  harness->module();
+  folder.write("deep/report.json/in", "the way");
   testing::internal::CaptureStderr();
   harness.reset();
-  EXPECT_TRUE(testing::internal::GetCapturedStderr().starts_with("LocalizationEvaluation: "));
-  test::ModuleHarness<LocalizationEvaluation>().module().file = "";
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "LocalizationEvaluation: cannot write " + folder / "deep/report.json" +
+                ": Is a directory; make room, or choose another file\n");
+  EXPECT_FALSE(std::filesystem::exists(folder / "deep/report.json.part"));
+}
+
+TEST_F(LocalizationEvaluationTest, aFileThatCannotBeIsAnErrorAtTheStart) {
+  folder.write("file", "");
+  const auto errorOf = [&](const std::string& file) {
+    test::ModuleHarness<LocalizationEvaluation> bad(configured(file));
+    return thrownBy([&] { bad.module(); });
+  };
+  const std::string place = folder / "LocalizationEvaluation.yaml" + ":1: file ";
+  EXPECT_EQ(
+      errorOf(folder / "file/report.json"),
+      place + folder / "file/report.json" + ": cannot be written: Not a directory; choose another file");
+  EXPECT_EQ(errorOf(folder.path()),
+            place + folder.path() + ": cannot be written: Is a directory; choose another file");
+}
+
+TEST_F(LocalizationEvaluationTest, anEmptyNameIsNoFile) {
+  testing::internal::CaptureStderr();
+  { test::ModuleHarness<LocalizationEvaluation>(configured("")).module(); }
+  EXPECT_EQ(testing::internal::GetCapturedStderr(), "");
 }
 
 }  // namespace

@@ -3,8 +3,10 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <filesystem>
+#include <string>
+#include <vector>
 
+#include "modules/evaluation/OutputProblems.h"
 #include "support/ModuleHarness.h"
 #include "support/Robots.h"
 #include "support/ScratchFolder.h"
@@ -18,7 +20,6 @@ constexpr const char* columns = "time,belief,what,number,x,y,deviation,distance,
 class OthersEvaluationTest : public testing::Test {
 protected:
   OthersEvaluationTest() {
-    harness.module().folder = folder / "others";
     player.number = 5;
     pose.valid = true;
     pose.pose = Pose2(1, 0, 0);
@@ -29,8 +30,12 @@ protected:
     harness.cycle();
   }
   std::string written(const std::string& name = "left-5.csv") const { return folder.read("others/" + name); }
+  std::vector<std::string> configured() const {
+    folder.write("OthersEvaluation.yaml", "folder: " + folder / "others" + "\n");
+    return {folder.path()};
+  }
   test::ScratchFolder folder;
-  test::ModuleHarness<OthersEvaluation> harness;
+  test::ModuleHarness<OthersEvaluation> harness{configured()};
   GameState& game = harness.input<GameState>();
   PlayerInfo& player = harness.input<PlayerInfo>();
   RobotPose& pose = harness.input<RobotPose>();
@@ -73,16 +78,31 @@ TEST_F(OthersEvaluationTest, withoutANumberOrAPlaceNothingIsWritten) {
   player.number = 5;
   pose.valid = false;
   clockAt(2);
-  EXPECT_FALSE(std::filesystem::exists(folder / "others"));
+  EXPECT_EQ(written(), "");
   player.leftSide = false;
   pose.valid = true;
   clockAt(3);
   EXPECT_EQ(written("right-5.csv"), columns);
 }
 
-TEST_F(OthersEvaluationTest, aFolderThatCannotBeIsAnError) {
+TEST_F(OthersEvaluationTest, aFileThatCannotBeWrittenIsSaidOnce) {
+  clockAt(0);
   folder.write("others/left-5.csv/in", "the way");
-  EXPECT_EQ(thrownBy([&] { clockAt(1); }), "cannot write " + folder / "others/left-5.csv");
+  testing::internal::CaptureStderr();
+  for (int i = 0; i < 4; ++i) clockAt(1 + i);
+  EXPECT_EQ(testing::internal::GetCapturedStderr(),
+            "the estimates end here: " + folder / "others/left-5.csv" +
+                ": cannot be written: Is a directory; make room, or choose another folder\n");
+  EXPECT_TRUE(harness.objects().find<OutputProblems>()->any());
+}
+
+TEST_F(OthersEvaluationTest, aFolderThatCannotBeIsAnErrorAtTheStart) {
+  folder.write("OthersEvaluation.yaml", "folder: " + folder / "file/in" + "\n");
+  folder.write("file", "");
+  test::ModuleHarness<OthersEvaluation> bad({folder.path()});
+  EXPECT_EQ(thrownBy([&] { bad.module(); }),
+            folder / "OthersEvaluation.yaml" + ":1: folder " + folder / "file/in" +
+                ": cannot be written: Not a directory; choose another folder");
 }
 
 }  // namespace

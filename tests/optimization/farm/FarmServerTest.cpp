@@ -7,11 +7,14 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <chrono>
+#include <list>
 #include <thread>
 
 #include "../Functions.h"
 #include "optimization/Cmaes.h"
 #include "optimization/farm/FarmClient.h"
+#include "support/FarOff.h"
 
 namespace plumbline::farm {
 namespace {
@@ -163,6 +166,33 @@ TEST(FarmServer, wantsTheTokenThatItWasGiven) {
                 ": the token is wrong or missing");
   FarmClient client(running.address("secret"), "one");
   evaluate(client);
+}
+
+TEST(FarmServer, silentConnectionsGiveWay) {
+  Search farmed = serverSearch(2);
+  Running running(farmed, {"127.0.0.1", 0, "", {}, 50});
+  FarmClient early(running.address(), "early");
+  std::list<LineSocket> silent;
+  for (int i = 0; i < 100; ++i)
+    silent.emplace_back(connectTo("127.0.0.1", running.server.port()), maxLine, maxLine);
+  silent.back().send("{\"hello\": \"work");
+  const auto begin = std::chrono::steady_clock::now();
+  FarmClient(running.address(), "late");
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5)) << "they have ten seconds";
+  std::string line;
+  while (!silent.front().next(line) && !silent.front().broken()) silent.front().wait(farOff);
+  EXPECT_EQ(line, R"({"error":"you have said nothing, and others need the place"})");
+  evaluate(early);
+}
+
+TEST(FarmServer, whoComesWhenAllWorkIsSentAway) {
+  Search farmed = serverSearch(2);
+  Running running(farmed, {"127.0.0.1", 0, "", {}, 3});
+  std::list<FarmClient> workers;
+  for (int i = 0; i < 3; ++i) workers.emplace_back(running.address(), "works");
+  EXPECT_EQ(errorOf([&] { FarmClient client(running.address(), "late"); }),
+            "the optimisation server at 127.0.0.1:" + std::to_string(running.server.port()) +
+                ": too many clients: 3 are there");
 }
 
 TEST(FarmServer, isNotWaitedForOnceAClientIsStopped) {
