@@ -125,6 +125,7 @@ BlindSet makeBlind(const BlindMakeOptions& given) {
   BlindMakeOptions options = given;
   if (options.engine == blindReplay) options.draw.outside = false;
   const Mechanism robot = namedMechanism(options.robot);
+  requirePositionServos(robot);
   const Workshop workshop(options.engine, options.robot, robot, programsOf(options.draw.battery),
                           options.program);
   std::error_code error;

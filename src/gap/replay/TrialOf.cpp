@@ -107,8 +107,9 @@ void moveTheUncommanded(const Run& run, const Mechanism& nominal, Trial& trial) 
   }
 }
 
-bool commanded(const Run& run, const std::string& joint) {
-  return run.find(ChannelKind::command, joint) || run.find(ChannelKind::commandTorque, joint);
+bool commanded(const Run& run, const Mechanism::Joint& joint) {
+  return run.find(ChannelKind::command, joint.name) || run.find(ChannelKind::commandTorque, joint.name) ||
+         takesSpeeds(run, joint);
 }
 
 /// Takes speeds and torques that were sent. A joint that was sent torques and no position has no position
@@ -121,7 +122,7 @@ Mechanism driveByTorque(const Run& run, Mechanism robot, Trial& trial) {
     if (joint.servo.model == Servo::Model::dcMotor) continue;
     if (speeds) trial.commandSpeed[j] = *speeds;
     if (torques) trial.commandTorque[j] = *torques;
-    if (!torques || run.find(ChannelKind::command, joint.name)) continue;
+    if ((!torques && !takesSpeeds(run, joint)) || run.find(ChannelKind::command, joint.name)) continue;
     joint.servo.kp = 0;
     if (!speeds) joint.servo.kd = 0;
     trial.command[j].assign(trial.cycles(), 0);
@@ -168,7 +169,9 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
     signal.name = column;
     signal.kind = *kind;
     if (!locate(nominal, channel->place, signal)) continue;
-    if (*kind == SignalKind::position && !commanded(run, channel->place)) continue;
+    if (*kind == SignalKind::position &&
+        !commanded(run, nominal.joints[static_cast<std::size_t>(signal.joint)]))
+      continue;
     signal.unsignedValue = run.isUnsigned(column);
     signal.values = values;
     anyPosition = anyPosition || *kind == SignalKind::position;

@@ -75,4 +75,8 @@ struct Run {
 /// values of run.json count, the rest follows from the law in Servo. Unknown joints are ignored.
 Mechanism withServo(Mechanism robot, const Run& run);
 
+/// Whether a joint of the robot's file is driven by the speeds it was sent alone: it has damping and no
+/// position gain, in the file and in the run, and was sent no positions.
+bool takesSpeeds(const Run& run, const Mechanism::Joint& joint);
+
 }  // namespace plumbline::gap

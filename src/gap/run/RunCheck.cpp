@@ -6,6 +6,7 @@
 
 #include "gap/run/BodyCheck.h"
 #include "gap/run/ColumnStatistics.h"
+#include "gap/run/CommandCheck.h"
 #include "gap/run/Plausibility.h"
 #include "gap/run/RunFile.h"
 #include "math/Angle.h"
@@ -48,6 +49,7 @@ public:
     checkNames();
     checkBounds();
     checkJoints();
+    checkCommands(run_, robot_);
     checkPlausibility(run_, robot_, warnings_);
     checkBodySensors(run_, robot_, warnings_);
     checkWhatIsLeft();
@@ -221,12 +223,13 @@ private:
       warn("run.csv", "no command changes; a robot that does not move shows little");
   }
 
-  /// Whether a joint was sent torques; speeds and torques that a DC motor's law has no use for are left out.
+  /// Whether a joint was sent torques, or speeds that alone drive it; speeds and torques that a DC motor's
+  /// law has no use for are left out.
   bool sentTorque(const Mechanism::Joint& joint) {
     for (const ChannelKind kind : {ChannelKind::commandSpeed, ChannelKind::commandTorque})
       if (joint.servo.model == Servo::Model::dcMotor)
         leaveOut(channelName(kind, joint.name), "a DC motor's law uses positions only");
-    return run_.find(ChannelKind::commandTorque, joint.name) != nullptr;
+    return run_.find(ChannelKind::commandTorque, joint.name) || takesSpeeds(run_, joint);
   }
 
   /// Whether a hinge's position is beyond its limits because the joint went there: it follows its command,
@@ -354,7 +357,8 @@ private:
   }
 
   void checkWhatIsLeft() {
-    if (run_.jointsWith(ChannelKind::command).empty() && run_.jointsWith(ChannelKind::commandTorque).empty())
+    if (run_.jointsWith(ChannelKind::command).empty() &&
+        std::ranges::none_of(robot_.joints, [&](const auto& joint) { return sentTorque(joint); }))
       refuse("no usable cmd column" + reasons());
     if (run_.jointsWith(ChannelKind::position).empty()) refuse("no usable pos column" + reasons());
   }

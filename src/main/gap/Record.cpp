@@ -114,6 +114,7 @@ void record(const RecordOptions& options) {
   checkOptions(options);
   const Mechanism robot =
       robotOf(onServer(options) ? simsparkRobotName(options.simspark.type) : options.robot, "");
+  requirePositionServos(robot);
   const std::vector<Item> items = itemsOf(options, robot);
   checkWalks(options, items);
   const bool single = options.battery.empty() && items.size() == 1;
