@@ -4,7 +4,7 @@
 #   --keep     leaves the fewest inputs that reach all that was reached in tests/data/fuzz/TARGET.inputs, which every test
 #              run plays again; SECONDS=0 does that alone
 # It starts from those and goes on from build/fuzz/TARGET/, what it found before. An input that breaks a reader is kept in
-# build/fuzz/findings/, and the status is 1. Says at the start how long it takes, 18 minutes for all 47 targets; the table
+# build/fuzz/findings/, and the status is 1. Says at the start how long it takes, 18 minutes for all 48 targets; the table
 # is build/fuzz/table.txt too.
 # Example: scripts/fuzz.sh 300 matchFile robotFile
 set -uo pipefail
