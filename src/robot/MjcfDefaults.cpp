@@ -15,6 +15,11 @@ constexpr std::array<std::string_view, 4> actuators = {"general", "motor", "posi
 constexpr std::array<std::string_view, 5> shared = {"gear", "forcerange", "ctrlrange", "ctrllimited",
                                                     "forcelimited"};
 
+/// Two ways to say the same: the one that stands nearer to the element holds.
+std::string_view rivalOf(std::string_view key) {
+  return key == "kv" ? "dampratio" : key == "dampratio" ? "kv" : "";
+}
+
 }  // namespace
 
 void MjcfDefaults::readDefaults(const XMLElement& root) {
@@ -37,6 +42,8 @@ void MjcfDefaults::readClass(const XMLElement& e, const std::string& around, int
         for (const std::string_view kind : actuators) mine[std::string(kind)][a->Name()] = a->Value();
       else
         mine[c->Name()][a->Name()] = a->Value();
+      if (const std::string rival(rivalOf(a->Name())); !rival.empty() && !c->Attribute(rival.c_str()))
+        mine[c->Name()].erase(rival);
     }
   }
   if (around.empty() && e.Attribute("class")) classes_[e.Attribute("class")] = mine;
@@ -56,8 +63,10 @@ void MjcfDefaults::complete(const XMLElement& e, const std::string& classAround)
   if (of == found->second.end()) return;
   // What is read later sees the element as MuJoCo does.
   auto& completed = const_cast<XMLElement&>(e);
+  const bool damped = e.Attribute("kv") || e.Attribute("dampratio");
   for (const auto& [key, value] : of->second)
-    if (!e.Attribute(key.c_str())) completed.SetAttribute(key.c_str(), value.c_str());
+    if (!e.Attribute(key.c_str()) && !(damped && !rivalOf(key).empty()))
+      completed.SetAttribute(key.c_str(), value.c_str());
 }
 
 std::optional<Vec2> MjcfDefaults::rangeOf(const XMLElement& e, const char* range, const char* flag) const {

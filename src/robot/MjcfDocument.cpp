@@ -99,18 +99,21 @@ fs::path MjcfDocument::find(const XMLElement& include, const std::string& of) co
   if (!name || !*name) failMechanism(place, "<include> lacks file=\"...\"");
   const fs::path folder = folderOf(file);
   std::error_code error;
-  // MuJoCo looks in the main file's folder; of a part that is moved with its own parts only the first holds.
-  const fs::path own = folderOf(of) / name;
-  for (const fs::path& path : {own, folder / name}) {
-    if (isWithin(path, folder)) {
-      if (fs::is_regular_file(path, error)) return path;
-    } else if (path == own) {
-      failMechanism(place, "<include> names " + std::string(name).substr(0, 200) +
-                               ", which is outside the model's folder; copy it into that, or save the whole "
-                               "model with MuJoCo (mj_saveLastXML)");
-    }
-  }
-  failMechanism(place, "<include> names " + std::string(name).substr(0, 200) + ", which does not exist" +
+  const std::string shown = std::string(name).substr(0, 200);
+  // Versions of MuJoCo differ in which of the two folders counts.
+  const fs::path own = folderOf(of) / name, mains = folder / name;
+  if (!isWithin(own, folder))
+    failMechanism(place, "<include> names " + shown +
+                             ", which is outside the model's folder; copy it into that, or save the whole "
+                             "model with MuJoCo (mj_saveLastXML)");
+  const bool isOwn = fs::is_regular_file(own, error),
+             isMains = isWithin(mains, folder) && fs::is_regular_file(mains, error);
+  if (isOwn && isMains && !fs::equivalent(own, mains, error))
+    failMechanism(place, "<include> names " + shown +
+                             ", which is in this file's folder and in the main file's; rename one");
+  if (isOwn) return own;
+  if (isMains) return mains;
+  failMechanism(place, "<include> names " + shown + ", which does not exist" +
                            suggestion(name, modelsIn(folderOf(of))));
 }
 

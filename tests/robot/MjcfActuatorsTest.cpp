@@ -53,6 +53,15 @@ TEST_F(ActuatorsOfMjcf, defaultsOfOneKindHoldForAllInWhatTheyShare) {
   EXPECT_DOUBLE_EQ(robot.joints[1].servo.kp, 7);
 }
 
+TEST_F(ActuatorsOfMjcf, ofKvAndDampratioTheNearerOneHolds) {
+  const std::string classes =
+      R"(<position kp="4" dampratio="1"/><default class="kv"><position kv="0.2"/></default>)";
+  const Mechanism robot = read(
+      robotWith(R"(<position joint="shoulder" kv="0.5"/><position joint="elbow" class="kv"/>)", classes));
+  EXPECT_DOUBLE_EQ(robot.joints[0].servo.kd, 0.5);
+  EXPECT_DOUBLE_EQ(robot.joints[1].servo.kd, 0.2);
+}
+
 TEST_F(ActuatorsOfMjcf, limitsAreTheStrictestThatHold) {
   const auto limit = [&](const std::string& attributes) {
     return read(withElbow("<position joint=\"shoulder\" " + attributes + "/>")).joints[0].maxTorque;

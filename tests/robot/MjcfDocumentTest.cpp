@@ -38,6 +38,16 @@ TEST_F(IncludedMjcf, aNameMayAlsoBeFromTheMainFilesFolder) {
   EXPECT_EQ(readMechanism(write("scene.xml", main), {}).joints.size(), 1U);
 }
 
+TEST_F(IncludedMjcf, aNameThatMeansTwoFilesIsRefused) {
+  write("parts/robot.xml", around("<worldbody>" + body() + "</worldbody>\n" + include("servo.xml")));
+  write("parts/servo.xml", around(servo));
+  write("servo.xml", around(servo));
+  EXPECT_EQ(
+      errorOf("scene.xml", main),
+      "parts/robot.xml:4: <include> names servo.xml, which is in this file's folder and in the main file's; "
+      "rename one");
+}
+
 TEST_F(IncludedMjcf, errorsNameThePartAndItsLine) {
   write("parts/robot.xml", around("<worldbody>" + body(R"(<joint name="J" type="ball"/>)") + "</worldbody>"));
   EXPECT_EQ(errorOf("scene.xml", main),
