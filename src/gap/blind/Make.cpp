@@ -13,6 +13,7 @@
 #include "gap/blind/Workshop.h"
 #include "gap/record/SimulatedRecording.h"
 #include "gap/run/RunFile.h"
+#include "robot/MechanismCheck.h"
 #include "robot/MechanismFile.h"
 
 namespace plumbline::gap {

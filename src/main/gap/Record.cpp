@@ -21,6 +21,7 @@
 #include "main/gap/Commands.h"
 #include "main/gap/RecordingsFolder.h"
 #include "main/gap/RobotOption.h"
+#include "robot/MechanismCheck.h"
 #include "servo/RobotSimulation.h"
 #include "simspark/LeagueRobots.h"
 
