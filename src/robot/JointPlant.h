@@ -63,6 +63,8 @@ struct JointPlant {
     drive.servo = joint.servo;
     drive.maxTorque = joint.maxTorque;
     drive.maxSpeed = joint.maxSpeed;
+    drive.coulomb = joint.friction;
+    drive.viscous = joint.damping;
     drive.linkEncoder = joint.encoder == Mechanism::Joint::Encoder::link;
     return drive;
   }

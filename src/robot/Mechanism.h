@@ -12,6 +12,7 @@ namespace plumbline {
 
 /// What drives a joint. kp, kd are always the gains of the linear law
 ///   tau = stiffness * (kp * (cmd - q) - kd * qd).
+/// A servo with kp 0 takes no positions: torques alone or, with kd, speeds.
 /// With model dcMotor they are the linear equivalent of
 ///   duty = clamp(kpFirmware * errorGain * (cmd - q), -maxPwm, maxPwm)
 ///   tau = stiffness * kt * (vin * duty - kt * qd) / R.
@@ -64,6 +65,8 @@ struct Mechanism {
     double maxSpeed = 0;          ///< [rad/s]
     Encoder encoder = Encoder::motor;
     Servo servo;
+    double friction = 0;  ///< dry friction, the same at any speed and load [N m]
+    double damping = 0;   ///< passive: not of the servo, and outside its torque limit [N m s/rad]
     /// Index of the joint whose motor moves this one too (its position is ratio * the driver's + offset, its
     /// command the driver's); -1: it has its own motor.
     int driver = -1;

@@ -35,6 +35,9 @@ constexpr Bounds slideSpeed{"max_speed", "m/s", 1e-9, 1e4, 1e-4, 20};
 constexpr Bounds gain{"servo: kp", "N m/rad", 1e-9, 1e9, 1e-4, 1e5};
 constexpr Bounds slideGain{"servo: kp", "N/m", 1e-9, 1e12, 1e-3, 1e7};
 constexpr Bounds damping{"servo: kd", "N m s/rad", 0, 1e9, 0, 1e4};
+constexpr Bounds dryFriction{"friction", "N m", 0, 1e9, 0, 1e3};
+constexpr Bounds slideFriction{"friction", "N", 0, 1e9, 0, 1e4};
+constexpr Bounds passiveDamping{"damping", "N m s/rad", 0, 1e9, 0, 1e4};
 constexpr Bounds armature{"servo: armature", "kg m^2", 0, 1e6, 0, 10};
 constexpr Bounds slideArmature{"servo: armature", "kg", 0, 1e6, 0, 1e4};
 constexpr Bounds supply{"servo: dc_motor: vin", "V", 1e-6, 1e6, 1, 1e3};
@@ -134,7 +137,9 @@ private:
     check(place, slides ? force : torque, joint.maxTorque);
     check(place, slides ? slideSpeed : speed, joint.maxSpeed);
     const Servo& servo = joint.servo;
-    check(place, slides ? slideGain : gain, servo.kp);
+    check(place, slides ? slideFriction : dryFriction, joint.friction);
+    check(place, passiveDamping, joint.damping);
+    if (servo.kp != 0) check(place, slides ? slideGain : gain, servo.kp);
     check(place, damping, servo.kd);
     check(place, slides ? slideArmature : armature, servo.armature);
     if (servo.model != Servo::Model::dcMotor) return;
@@ -170,6 +175,14 @@ void warnOnStandardError(const std::string& line) {
   const std::lock_guard lock(mutex);
   constexpr std::size_t enough = 1000;  // of lines that a process remembers and prints
   if (known.size() < enough && known.insert(line).second) std::fprintf(stderr, "warning: %s\n", line.c_str());
+}
+
+void requirePositionServos(const Mechanism& mechanism) {
+  for (const Mechanism::Joint& joint : mechanism.joints)
+    if (!(joint.servo.kp > 0))
+      failMechanism(mechanism.name, "joint " + joint.name +
+                                        " takes torques alone, but positions are to be commanded; give it a "
+                                        "position servo with kp and kd in the robot's file");
 }
 
 void checkMechanism(const Mechanism& mechanism, const std::string& file, const MechanismWarnings& warn) {

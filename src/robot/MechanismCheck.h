@@ -18,4 +18,7 @@ void warnOnStandardError(const std::string& line);
 /// another unit (degrees, millimetres, grams). Both messages name `file`.
 void checkMechanism(const Mechanism& mechanism, const std::string& file, const MechanismWarnings& warn);
 
+/// Throws MechanismError, naming the first joint, where one takes no positions (its servo has no gain).
+void requirePositionServos(const Mechanism& mechanism);
+
 }  // namespace plumbline

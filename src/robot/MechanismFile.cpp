@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
@@ -12,6 +13,7 @@
 #include "framework/Json.h"
 #include "framework/ReadFile.h"
 #include "framework/YamlDocument.h"
+#include "robot/FeltInertias.h"
 #include "robot/MechanismParts.h"
 
 namespace plumbline {
@@ -102,13 +104,25 @@ json readServoTable(const fs::path& urdf, std::string& path) {
   return table;
 }
 
-/// A joint without a gain moves by nothing.
+/// A joint that nothing drives moves by nothing.
 void checkGains(const MechanismParts& parts, const std::string& path) {
   for (const MechanismParts::Joint& part : parts.joints)
-    if (!part.fixed && !(part.joint.servo.kp > 0))
+    if (!part.fixed && !part.isDriven)
       failMechanism(path, "joint " + part.joint.name +
-                              " has no position actuator; give it one, or a servo table next to the file: " +
+                              " has no actuator; give it one, or a servo table next to the file: " +
                               fs::path(path).stem().string() + ".servo.json");
+}
+
+/// MuJoCo's damping by ratio: of the critical one that a joint has at zero, with all others still.
+void addDamping(const MechanismParts& parts, Mechanism& robot) {
+  const std::vector<double> inertias = feltInertias(robot, std::vector<double>(robot.joints.size(), 0));
+  for (const MechanismParts::Joint& part : parts.joints) {
+    const int index = part.dampRatio > 0 ? robot.jointIndex(part.joint.name) : -1;
+    if (index < 0) continue;
+    const auto j = static_cast<std::size_t>(index);
+    Servo& servo = robot.joints[j].servo;
+    servo.kd += part.dampRatio * 2 * std::sqrt(servo.kp * inertias[j]);
+  }
 }
 
 /// The robot's file in a folder of robots.
@@ -141,6 +155,9 @@ Mechanism readMechanism(const std::string& path, const MechanismWarnings& warn) 
     failMechanism(path, "is no robot's file; give a .json, .urdf, or MuJoCo's .xml file");
   }
   Mechanism mechanism = assemble(parts, path);
+  addDamping(parts, mechanism);
+  for (const std::string& warning : parts.warnings)
+    if (warn) warn(warning);
   checkMechanism(mechanism, path, warn);
   return mechanism;
 }

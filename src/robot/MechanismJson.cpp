@@ -67,16 +67,22 @@ void readMotor(const Object& motor, Servo& servo) {
 const std::vector<std::string> servoKeys = {"kp", "kd", "armature", "model", "dc_motor", "type"};
 
 void readServo(const Object& object, Servo& servo) {
+  bool takesPositions = true;
   if (object.has("model")) {
-    const std::string model = object.text("model", "position or dc_motor");
-    if (model != "position" && model != "dc_motor")
-      object.fail("model is \"" + model.substr(0, 40) + "\"; give position or dc_motor");
+    const std::string model = object.text("model", "position, dc_motor or torque");
+    if (model != "position" && model != "dc_motor" && model != "torque")
+      object.fail("model is \"" + model.substr(0, 40) + "\"; give position, dc_motor or torque");
     servo.model = model == "dc_motor" ? Servo::Model::dcMotor : Servo::Model::position;
+    takesPositions = model != "torque";
   }
   if (object.has("dc_motor") || servo.model == Servo::Model::dcMotor)
     readMotor(object.child("dc_motor", "{kt, R, vin, error_gain, kp_firmware, max_pwm}"), servo);
-  servo.kp = object.positive("kp", "the servo's gain in N m/rad, above 0");
-  servo.kd = object.atLeast(0, "kd", "the servo's damping in N m s/rad, 0 or more");
+  if (!takesPositions && object.has("kp") && object.number("kp", "") != 0)
+    object.fail("model is torque, which has no gain kp; leave kp out, or give model position");
+  servo.kp = takesPositions ? object.positive("kp", "the servo's gain in N m/rad, above 0") : 0;
+  servo.kd = !takesPositions && !object.has("kd")
+                 ? 0
+                 : object.atLeast(0, "kd", "the servo's damping in N m s/rad, 0 or more");
   servo.armature = object.atLeast(0, "armature", "the rotor's inertia at the joint in kg m^2, 0 or more");
 }
 
@@ -101,6 +107,13 @@ void readDriver(const Object& object, MechanismParts::Joint& part) {
   part.joint.driverOffset = object.number("driver_offset", 0.0);
 }
 
+void readPassive(const Object& object, Joint& joint) {
+  if (object.has("friction"))
+    joint.friction = object.atLeast(0, "friction", "the joint's dry friction in N m, 0 or more");
+  if (object.has("damping"))
+    joint.damping = object.atLeast(0, "damping", "the joint's own damping in N m s/rad, 0 or more");
+}
+
 void readLimits(const Object& object, Joint& joint) {
   joint.maxTorque = object.positive("max_torque", "the motor's limit in N m, above 0");
   joint.maxSpeed = object.positive("max_speed", "the motor's limit in rad/s, above 0");
@@ -112,7 +125,8 @@ MechanismParts::Joint readJoint(const json& value, std::size_t index, const std:
   checkName(name, place + ": joint", file);
   const Object object(value, "joint " + name, place, file);
   object.only({"name", "type", "parent", "child", "origin", "rpy", "axis", "lower", "upper", "max_torque",
-               "max_speed", "encoder", "driven_by", "driver_ratio", "driver_offset", "servo"});
+               "max_speed", "encoder", "driven_by", "driver_ratio", "driver_offset", "servo", "friction",
+               "damping"});
   MechanismParts::Joint part;
   Joint& joint = part.joint;
   joint.name = name;
@@ -137,6 +151,7 @@ MechanismParts::Joint readJoint(const json& value, std::size_t index, const std:
   if (!(joint.lower < joint.upper))
     object.fail("lower " + numberText(joint.lower) + " is not below upper " + numberText(joint.upper));
   readLimits(object, joint);
+  readPassive(object, joint);
   readEncoder(object, joint);
   readDriver(object, part);
   const Object servo = object.child("servo", "{kp, kd, armature}");
@@ -273,8 +288,8 @@ void applyServoTable(const json& value, const std::string& file, MechanismParts&
   std::vector<std::string> known = {"joints"};
   known.insert(known.end(), restKeys.begin(), restKeys.end());
   root.only(known);
-  std::vector<std::string> jointKeys = {"max_torque", "max_speed",    "encoder",
-                                        "driven_by",  "driver_ratio", "driver_offset"};
+  std::vector<std::string> jointKeys = {"max_torque",   "max_speed",     "encoder",  "driven_by",
+                                        "driver_ratio", "driver_offset", "friction", "damping"};
   jointKeys.insert(jointKeys.end(), servoKeys.begin(), servoKeys.end());
   const Object joints = root.child("joints", "{ JOINT: {kp, kd, armature}, ... }");
   for (const auto& [name, entry] : joints.value.items()) {
@@ -285,11 +300,13 @@ void applyServoTable(const json& value, const std::string& file, MechanismParts&
     object.only(jointKeys);
     if (object.has("max_torque")) part->joint.maxTorque = object.number("max_torque", "");
     if (object.has("max_speed")) part->joint.maxSpeed = object.number("max_speed", "");
+    readPassive(object, part->joint);
     readEncoder(object, part->joint);
     readDriver(object, *part);
     readServo(object, part->joint.servo);
     readServoType(object, *part);
-    part->hasServo = true;
+    part->hasServo = part->isDriven = true;
+    part->dampRatio = 0;
   }
   for (MechanismParts::Joint& part : parts.joints) {
     if (part.fixed) continue;

@@ -1,6 +1,7 @@
 #include <map>
-#include <set>
 
+#include "robot/MjcfActuators.h"
+#include "robot/MjcfDocument.h"
 #include "robot/MjcfSolids.h"
 
 namespace plumbline {
@@ -11,46 +12,39 @@ using Joint = Mechanism::Joint;
 
 constexpr double noSpeedLimit = 100;   // [rad/s]: the format has none
 constexpr double noTorqueLimit = 1e4;  // [N m]
-constexpr int deepest = 64;            // bodies and classes within each other
+constexpr int deepest = 64;            // bodies within each other
 const std::string world = "world";     // what holds a robot that has no free joint
-const std::string outermost = "main";  // the class of what names none
 
-/// The robot of a MuJoCo model: bodies, hinges and slides, servos from its position actuators, an IMU from
-/// its gyro. The nominal model has no contacts, meshes, frictionloss and tendons: these are left out.
+/// The robot of a MuJoCo model: bodies, hinges and slides, servos from its actuators, an IMU from its gyro.
+/// The nominal model has no contacts, meshes and tendons: these are left out.
 class MjcfReader : private MjcfSolids {
 public:
   using MjcfSolids::MjcfSolids;
 
   MechanismParts read(const std::string& text) {
-    tinyxml2::XMLDocument document;
-    if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS)
-      failMechanism(file + ":" + std::to_string(document.ErrorLineNum()),
-                    std::string("broken XML (") + document.ErrorName() + ")");
-    const XMLElement* root = document.FirstChildElement("mujoco");
-    if (!root) failMechanism(file, "no <mujoco>; give a model of MuJoCo");
-    if (const XMLElement* include = root->FirstChildElement("include"))
-      fail(*include, "<include> is not followed; save the whole model with MuJoCo (mj_saveLastXML)");
+    const MjcfDocument document(text, file);
+    const XMLElement* const root = &document.root();
     parts_.name = root->Attribute("model") ? root->Attribute("model") : "robot";
     checkName(parts_.name, "model", file);
     for (const XMLElement* e = root->FirstChildElement("compiler"); e; e = e->NextSiblingElement("compiler"))
       readCompiler(*e);
     if (const XMLElement* option = root->FirstChildElement("option"))
       parts_.gravity = vector(option, "gravity", parts_.gravity);
-    for (const XMLElement* e = root->FirstChildElement("default"); e; e = e->NextSiblingElement("default"))
-      readDefaults(*e, "", 0);
+    readDefaults(*root);
     bool any = false;
     for (const XMLElement* w = root->FirstChildElement("worldbody"); w;
          w = w->NextSiblingElement("worldbody")) {
       refuseMacros(*w);
       for (const XMLElement* e = w->FirstChildElement("body"); e; e = e->NextSiblingElement("body")) {
-        if (any) fail(*e, "a second body in the world; a robot is one tree");
+        if (any)
+          fail(*e, "a second body in the world; a robot is one tree: give the file of the robot alone");
         any = true;
         readBody(*e, "", "", 0);
       }
     }
     if (!any) failMechanism(file, "no <body> in <worldbody>");
     readEqualities(*root);
-    readActuators(*root);
+    MjcfActuators(*this, parts_, file).read(*root);
     readSensors(*root);
     return std::move(parts_);
   }
@@ -63,6 +57,7 @@ private:
     if (e.Attribute("eulerseq")) eulerSequence = e.Attribute("eulerseq");
     if (eulerSequence.size() != 3 || eulerSequence.find_first_not_of("xyzXYZ") != std::string::npos)
       fail(e, "eulerseq is \"" + eulerSequence.substr(0, 20) + "\"; give three axes such as xyz");
+    if (e.Attribute("autolimits")) rangesHoldByThemselves = !e.Attribute("autolimits", "false");
     if (e.Attribute("coordinate", "global"))
       fail(e, "MuJoCo no longer supports global coordinates; save the model again");
   }
@@ -75,41 +70,6 @@ private:
                          "> is not followed; save the whole model with MuJoCo (mj_saveLastXML)");
   }
 
-  /// Of each class and element the attributes, those of the class around it among them. The outermost class
-  /// holds for all elements, whatever its name.
-  void readDefaults(const XMLElement& e, const std::string& around, int depth) {
-    if (depth > deepest) fail(e, "classes are nested too deeply");
-    const std::string name = around.empty() ? outermost : attribute(e, "class");
-    if (!around.empty()) defaults_[name] = defaults_[around];
-    Defaults& mine = defaults_[name];
-    for (const XMLElement* c = e.FirstChildElement(); c; c = c->NextSiblingElement()) {
-      if (std::string_view(c->Name()) == "default") continue;
-      for (const tinyxml2::XMLAttribute* a = c->FirstAttribute(); a; a = a->Next())
-        mine[c->Name()][a->Name()] = a->Value();
-    }
-    if (around.empty() && e.Attribute("class")) defaults_[e.Attribute("class")] = mine;
-    for (const XMLElement* c = e.FirstChildElement("default"); c; c = c->NextSiblingElement("default"))
-      readDefaults(*c, name, depth + 1);
-  }
-
-  /// Fills missing attributes of an element from its class.
-  void complete(XMLElement& e, const std::string& classAround) const {
-    const char* own = e.Attribute("class");
-    const std::string name = own ? own : classAround.empty() ? outermost : classAround;
-    const auto found = defaults_.find(name);
-    if (found == defaults_.end()) {
-      if (own) fail(e, "there is no class " + name.substr(0, 60));
-      return;
-    }
-    const auto of = found->second.find(e.Name());
-    if (of == found->second.end()) return;
-    for (const auto& [key, value] : of->second)
-      if (!e.Attribute(key.c_str())) e.SetAttribute(key.c_str(), value.c_str());
-  }
-  void complete(const XMLElement& e, const std::string& classAround) const {
-    complete(const_cast<XMLElement&>(e), classAround);
-  }
-
   /// A body's frame is at its joint here; MuJoCo's joint may be elsewhere on the body: everything is shifted.
   void readBody(const XMLElement& e, const std::string& parent, std::string classAround, int depth,
                 const Vec3& parentJoint = Vec3::Zero()) {
@@ -117,8 +77,11 @@ private:
     if (e.Attribute("childclass")) classAround = e.Attribute("childclass");
     Mechanism::Link link;
     link.name = e.Attribute("name") ? e.Attribute("name") : "body" + std::to_string(parts_.links.size());
-    checkName(link.name, "body", file + ":" + std::to_string(e.GetLineNum()));
+    checkName(link.name, "body", placeOf(e));
     refuseMacros(e);
+    if (number(e, "gravcomp", 0) != 0)
+      fail(e, "body " + link.name +
+                  ": gravcomp takes gravity off it, which the nominal model does not; take it out");
     const XMLElement* hinge = nullptr;
     bool isFree = e.FirstChildElement("freejoint") != nullptr;
     for (const XMLElement* j = e.FirstChildElement("joint"); j; j = j->NextSiblingElement("joint")) {
@@ -177,7 +140,7 @@ private:
   void readJoint(const XMLElement& e, MechanismParts::Joint& part) {
     Joint& joint = part.joint;
     joint.name = attribute(e, "name");
-    checkName(joint.name, "joint", file + ":" + std::to_string(e.GetLineNum()));
+    checkName(joint.name, "joint", placeOf(e));
     if (number(e, "ref", 0) != 0)
       fail(e, "joint " + joint.name + ": ref is not 0; save the model with its zero where the body is drawn");
     const bool slides = e.Attribute("type", "slide") != nullptr;
@@ -187,18 +150,26 @@ private:
     joint.axis = unitAxis(joint.axis);
     joint.lower = -Mechanism::maxTurns;
     joint.upper = Mechanism::maxTurns;
-    const std::vector<double> range = numbers(e, "range", 2);
-    const bool limited = !e.Attribute("limited", "false") && range.size() == 2;
-    if (limited && range[0] < range[1]) {
-      joint.lower = (slides ? 1 : unit) * range[0];
-      joint.upper = (slides ? 1 : unit) * range[1];
+    if (const auto range = rangeOf(e, "range", "limited")) {
+      joint.lower = (slides ? 1 : unit) * range->x();
+      joint.upper = (slides ? 1 : unit) * range->y();
     }
     joint.servo.armature = number(e, "armature", 0);
-    joint.servo.kd = number(e, "damping", 0);
+    joint.friction = notNegative(e, "frictionloss");
+    joint.damping = notNegative(e, "damping");
+    if (number(e, "stiffness", 0) != 0)
+      fail(e, "joint " + joint.name +
+                  ": stiffness is a spring, which the nominal model does not have; take it out");
     joint.maxTorque = noTorqueLimit;
     joint.maxSpeed = noSpeedLimit;
-    if (const std::vector<double> force = numbers(e, "actuatorfrcrange", 2); force.size() == 2)
-      joint.maxTorque = std::max(std::abs(force[0]), std::abs(force[1]));
+    if (const auto force = rangeOf(e, "actuatorfrcrange", "actuatorfrclimited"))
+      joint.maxTorque = force->cwiseAbs().maxCoeff();
+  }
+
+  double notNegative(const XMLElement& e, const char* name) const {
+    const double x = number(e, name, 0);
+    if (x < 0) fail(e, std::string(name) + " is " + numberText(x) + "; give it 0 or more");
+    return x;
   }
 
   void readEqualities(const XMLElement& root) {
@@ -219,47 +190,6 @@ private:
       }
   }
 
-  void readActuators(const XMLElement& root) {
-    for (const XMLElement* all = root.FirstChildElement("actuator"); all;
-         all = all->NextSiblingElement("actuator"))
-      for (const XMLElement* e = all->FirstChildElement(); e; e = e->NextSiblingElement()) {
-        if (!e->Attribute("joint")) continue;
-        MechanismParts::Joint* part = parts_.find(e->Attribute("joint"));
-        if (!part || part->fixed)
-          fail(*e, "there is no joint " + std::string(e->Attribute("joint")).substr(0, 60));
-        complete(*e, "");
-        readActuator(*e, part->joint);
-      }
-    for (MechanismParts::Joint& part : parts_.joints) {
-      part.hasServo = !part.fixed;
-      if (const MechanismParts::Joint* driver = part.driver.empty() ? nullptr : parts_.find(part.driver);
-          driver && !(part.joint.servo.kp > 0)) {
-        part.joint.servo.kp = driver->joint.servo.kp;
-        part.joint.servo.kd = driver->joint.servo.kd;
-      }
-    }
-  }
-
-  /// A position servo; of a general one, where its gain and bias are those of a position servo.
-  void readActuator(const XMLElement& e, Joint& joint) const {
-    const std::string kind = e.Name();
-    Servo& servo = joint.servo;
-    if (kind == "position") {
-      servo.kp = number(e, "kp", 1);
-      servo.kd += number(e, "kv", 0);
-      if (e.Attribute("dampratio"))
-        fail(e, "dampratio depends on the pose; give kv (mj_saveLastXML writes it)");
-    } else if (kind == "general" && e.Attribute("biastype", "affine")) {
-      const std::vector<double> gain = numbers(e, "gainprm"), bias = numbers(e, "biasprm");
-      if (gain.empty() || bias.size() < 2 || bias[1] != -gain[0])
-        fail(e, "<general> is no position servo: gainprm is kp, biasprm 0 -kp -kv");
-      servo.kp = gain[0];
-      if (bias.size() > 2) servo.kd -= bias[2];
-    }
-    if (const std::vector<double> force = numbers(e, "forcerange", 2); force.size() == 2)
-      joint.maxTorque = std::max(std::abs(force[0]), std::abs(force[1]));
-  }
-
   void readSensors(const XMLElement& root) {
     for (const XMLElement* all = root.FirstChildElement("sensor"); all;
          all = all->NextSiblingElement("sensor"))
@@ -274,15 +204,12 @@ private:
         }
   }
 
-  using Attributes = std::map<std::string, std::string>;
-  using Defaults = std::map<std::string, Attributes>;
   struct SitePlace {
     std::string link;
     Vec3 place;
     Mat3 turn;
   };
   MechanismParts parts_;
-  std::map<std::string, Defaults> defaults_;
   std::map<std::string, SitePlace> sites_;
 };
 

@@ -80,7 +80,7 @@ private:
         fail("link " + parts_.links[i].name + " occurs twice; rename one");
     std::map<std::string, std::string> moverOf;
     std::map<std::string, int> names;
-    for (const auto& [joint, parent, child, driver, type, fixed, servo] : parts_.joints) {
+    for (const auto& [joint, parent, child, driver, type, fixed, servo, driven, ratio] : parts_.joints) {
       if (++names[joint.name] > 1) fail("joint " + joint.name + " occurs twice; rename one");
       for (const std::string& end : {parent, child})
         if (!linkAt_.count(end)) fail("joint " + joint.name + ": there is no link " + end);

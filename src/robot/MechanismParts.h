@@ -19,6 +19,8 @@ struct MechanismParts {
     std::string servoType;
     bool fixed = false;
     bool hasServo = false;
+    bool isDriven = false;  ///< of a model of MuJoCo: it has an actuator, or follows a joint with one
+    double dampRatio = 0;   ///< of its critical damping at zero, added to the servo's kd when assembled
   };
   struct Foot {
     Mechanism::Foot foot;
@@ -38,6 +40,7 @@ struct MechanismParts {
   Mechanism::Imu imu;
   Vec3 gravity = Vec3(0, 0, -earthGravity);
   double controlHz = 100;
+  std::vector<std::string> warnings;  ///< about what a file says and the nominal model does not have
 
   Joint* find(const std::string& joint);
 };

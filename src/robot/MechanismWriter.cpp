@@ -42,6 +42,7 @@ ordered_json linkJson(const Mechanism::Link& link) {
 
 ordered_json servoJson(const Servo& servo) {
   ordered_json json = {{"kp", servo.kp}, {"kd", servo.kd}, {"armature", servo.armature}};
+  if (!(servo.kp > 0)) json["model"] = "torque";
   if (servo.model == Servo::Model::dcMotor) json["model"] = "dc_motor";
   if (!(servo.R > 0)) return json;  // a servo with the linear law may have its motor's numbers, too
   json["dc_motor"] = {{"kt", servo.kt},
@@ -72,6 +73,8 @@ ordered_json jointJson(const Mechanism& robot, const Mechanism::Joint& joint) {
     json["driver_ratio"] = joint.driverRatio;
     json["driver_offset"] = joint.driverOffset;
   }
+  if (joint.friction > 0) json["friction"] = joint.friction;
+  if (joint.damping > 0) json["damping"] = joint.damping;
   json["servo"] = servoJson(joint.servo);
   return json;
 }

@@ -2,7 +2,7 @@
 #include <string>
 
 #include "math/Angle.h"
-#include "robot/XmlElements.h"
+#include "robot/MjcfDefaults.h"
 
 namespace plumbline {
 
@@ -24,9 +24,9 @@ struct MjcfLump {
 };
 
 /// Places, turns and masses in a model of MuJoCo.
-class MjcfSolids : protected XmlElements {
+class MjcfSolids : public MjcfDefaults {
 public:
-  using XmlElements::XmlElements;
+  using MjcfDefaults::MjcfDefaults;
 
 protected:
   /// Of what has a quat, euler, axisangle, xyaxes or zaxis.

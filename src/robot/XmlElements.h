@@ -13,6 +13,12 @@
 
 namespace plumbline {
 
+/// Where an element stood that was put in from another file: the user data of its node.
+struct XmlPlace {
+  std::string file;
+  int line = 0;
+};
+
 /// Attributes of XML elements as numbers and names; every mistake is a MechanismError with file and line.
 class XmlElements {
 public:
@@ -22,7 +28,13 @@ protected:
   using XMLElement = tinyxml2::XMLElement;
 
   [[noreturn]] void fail(const XMLElement& at, const std::string& what) const {
-    failMechanism(file + ":" + std::to_string(at.GetLineNum()), what);
+    failMechanism(placeOf(at), what);
+  }
+
+  /// FILE:LINE.
+  std::string placeOf(const XMLElement& e) const {
+    const auto* const from = static_cast<const XmlPlace*>(e.GetUserData());
+    return from ? from->file + ":" + std::to_string(from->line) : file + ":" + std::to_string(e.GetLineNum());
   }
 
   std::string attribute(const XMLElement& e, const char* name) const {

@@ -6,6 +6,7 @@
 
 #include "fuzz/Readers.h"
 #include "gap/run/Cell.h"
+#include "gap/run/OtherTables.h"
 #include "gap/run/RunImport.h"
 #include "gap/run/Table.h"
 
@@ -38,6 +39,17 @@ void importTwoTables(std::string_view bytes) {
     }
     for (std::size_t i = 1; i < imported.run.size(); ++i)
       require(imported.run.t[i] > imported.run.t[i - 1], "times that do not grow");
+  });
+}
+
+/// JSON lines, or a list of objects.
+void jsonRecording(std::string_view bytes) {
+  const std::string path = scratchFile("raw.json", bytes);
+  refusesInOneLine([&] {
+    const gap::Table table = gap::readRecording(path, {});
+    require(table.names.size() == table.columns.size(), "a column without a name");
+    for (const auto& column : table.columns)
+      require(column.size() == table.columns[0].size(), "a column cut short");
   });
 }
 
@@ -78,7 +90,14 @@ std::vector<std::string> importTableSeeds() {
       "  - {to: \"cmd.*\", from: \"goal_*\", unit: deg}\n"
       "  - {to: pos.pendulum, from: angle, counts_per_turn: 4096, sign: -1, offset: 0.5}\n"
       "\n---8<---\n"
-      "stamp;goal_arm;angle;other\n5000000;90;0;7\n;90;0;7\n5010000;45;1024;7\n5020000;0;-1024;7\n"};
+      "stamp;goal_arm;angle;other\n5000000;90;0;7\n;90;0;7\n5010000;45;1024;7\n5020000;0;-1024;7\n",
+      "robot: xl330_pendulum\nbase: fixed\nmotion: m\nseparator: \";\"\ntime: {from: t, unit: s}\n"
+      "columns: [{to: pos.pendulum, from: q, unit: rad}]\n"
+      "\n---8<---\n# a logger\n# t; q\n0,00;1,5\n# here\n0,01;-1,5e-3\n0,02;2\n"};
+}
+std::vector<std::string> jsonRecordingSeeds() {
+  return {"[{\"t\": 0, \"q\": [1, 2]},\n{\"t\": 0.01, \"s\": \"}\\\"]\"}]\n",
+          "{\"t\": 0, \"s\": {\"name\": [\"a\"], \"q\": [1]}}\n{\"t\": 0.01}\n"};
 }
 std::vector<std::string> importTwoTablesSeeds() {
   const std::string head = "robot: xl330_pendulum\nbase: fixed\nmotion: m\n";
@@ -105,6 +124,7 @@ std::vector<std::string> gzipTableSeeds() {
 
 const Registered importTableTarget({"importTable", importTable, importTableSeeds, 1200});
 const Registered importTwoTablesTarget({"importTwoTables", importTwoTables, importTwoTablesSeeds, 800});
+const Registered jsonRecordingTarget({"jsonRecording", jsonRecording, jsonRecordingSeeds, 2000});
 const Registered listCellTarget({"listCell", listCell, listCellSeeds, 20000});
 const Registered gzipTableTarget({"gzipTable", gzipTable, gzipTableSeeds, 6000});
 

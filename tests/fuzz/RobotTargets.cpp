@@ -13,7 +13,7 @@ void checkRobot(const Mechanism& robot) {
   for (std::size_t j = 0; j < robot.joints.size(); ++j) {
     require(robot.joints[j].child == static_cast<int>(j) + 1 && robot.joints[j].parent <= static_cast<int>(j),
             "a child before its parent");
-    require(robot.joints[j].servo.kp > 0 && robot.joints[j].maxTorque > 0, "a joint without a motor");
+    require(robot.joints[j].servo.kp >= 0 && robot.joints[j].maxTorque > 0, "a joint without a motor");
   }
   linkPoses(robot, std::vector<double>(robot.joints.size(), 0.1));
 }
@@ -25,6 +25,13 @@ constexpr const char* urdf = R"(<robot name="mast"><link name="plate"/>
 ---8<---
 joints: {turn: {kp: 1, kd: 0.1, armature: 0.01}}
 imu: {link: tool}
+)";
+constexpr const char* mjcf =
+    R"(<mujoco model="mast"><compiler angle="radian" autolimits="true"/><include file="part.xml"/><worldbody><body name="arm">
+<inertial pos="0 0 1" mass="1" diaginertia="1 2 1.5"/><joint name="turn" axis="0 1 0" range="-1 1" frictionloss="0.1" damping="0.2"/>
+<body name="tool" pos="0 0 1"><geom size="0.1"/><joint name="grip" type="slide"/></body></body></worldbody></mujoco>
+---8<---
+<mujoco><default><position kp="3" gear="2"/></default><actuator><position joint="turn" dampratio="1" forcerange="-1 1"/><motor joint="grip" ctrlrange="-2 2"/></actuator></mujoco>
 )";
 constexpr const char* recording =
     R"({"robot": "xl330_pendulum", "base": "fixed", "rate_hz": 100, "motion": "m", "ground_truth": false, "unsigned": ["current"],
@@ -58,6 +65,17 @@ void urdfFile(std::string_view bytes) {
   }
 }
 
+/// A model of MuJoCo and what it includes.
+void mjcfFile(std::string_view bytes) {
+  const auto [robot, part] = halves(bytes);
+  scratchFile("part.xml", part);
+  try {
+    checkRobot(readMechanism(scratchFile("robot.xml", robot), expectOneLine));
+  } catch (const MechanismError& error) {
+    expectOneLine(error.what());
+  }
+}
+
 /// run.json and run.csv.
 void gapRun(std::string_view bytes) {
   static const Mechanism robot = findMechanism("xl330_pendulum");
@@ -80,11 +98,13 @@ std::vector<std::string> robotFileSeeds() {
   return {contentOf("config/robots/xl330_pendulum.json"), contentOf("config/robots/so101.json")};
 }
 std::vector<std::string> urdfFileSeeds() { return {urdf}; }
+std::vector<std::string> mjcfFileSeeds() { return {mjcf}; }
 std::vector<std::string> gapRunSeeds() { return {recording}; }
 
 namespace {
 const Registered robotFileTarget({"robotFile", robotFile, robotFileSeeds, 1200});
 const Registered urdfFileTarget({"urdfFile", urdfFile, urdfFileSeeds, 2000});
+const Registered mjcfFileTarget({"mjcfFile", mjcfFile, mjcfFileSeeds, 2000});
 const Registered gapRunTarget({"gapRun", gapRun, gapRunSeeds, 2000});
 }  // namespace
 

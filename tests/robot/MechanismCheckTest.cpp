@@ -112,6 +112,11 @@ TEST(MechanismCheck, numbersThatCannotBe) {
             "arm.json: gravity is 1e+11, which is impossible; give it m/s^2, 0 to 100000");
   EXPECT_EQ(errorOf([](Mechanism& m) { m.joints[0].maxTorque = 1e-300; }),
             "arm.json: joint Hinge: max_torque is 1e-300, which is impossible; give it N m, 1e-09 to 1e+09");
+  EXPECT_EQ(errorOf([](Mechanism& m) { m.joints[0].friction = 1e10; }),
+            "arm.json: joint Hinge: friction is 1e+10, which is impossible; give it N m, 0 to 1e+09");
+  EXPECT_EQ(errorOf([](Mechanism& m) { m.joints[0].damping = -1; }),
+            "arm.json: joint Hinge: damping is -1, which is impossible; give it N m s/rad, 0 to 1e+09");
+  EXPECT_EQ(errorOf([](Mechanism& m) { m.joints[0].servo.kp = 0; }), "no error") << "torques alone";
   EXPECT_EQ(errorOf([](Mechanism& m) { m.joints[0].upper = 5000; }),
             "arm.json: joint Hinge: upper is 5000, which is impossible; give it in rad, -1000 to 1000 for a "
             "joint without "

@@ -58,7 +58,16 @@ TEST_F(MechanismJson, badJsonIsNamed) {
             "r.json: joint swing: servo: armature is -1; give the rotor's inertia at the joint in kg m^2, 0 "
             "or more");
   EXPECT_EQ(errorOf("r.json", pendulum("\"kp\": 1", "\"model\": \"pid\", \"kp\": 1")),
-            "r.json: joint swing: servo: model is \"pid\"; give position or dc_motor");
+            "r.json: joint swing: servo: model is \"pid\"; give position, dc_motor or torque");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"kp\": 1", "\"model\": \"torque\", \"kp\": 1")),
+            "r.json: joint swing: servo: model is torque, which has no gain kp; leave kp out, or give model "
+            "position");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"lower\"", "\"friction\": -0.1, \"lower\"")),
+            "r.json: joint swing: friction is -0.1; give the joint's dry friction in N m, 0 or more");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"lower\"", "\"frictoin\": 0.1, \"lower\"")),
+            "r.json: joints[0].frictoin: unknown key; did you mean \"friction\"?");
+  EXPECT_EQ(errorOf("r.json", pendulum("\"lower\"", "\"damping\": -1, \"lower\"")),
+            "r.json: joint swing: damping is -1; give the joint's own damping in N m s/rad, 0 or more");
   EXPECT_EQ(
       errorOf("r.json", pendulum("\"kp\": 1", "\"model\": \"dc_motor\", \"kp\": 1")),
       "r.json: joint swing: servo: dc_motor is missing; give {kt, R, vin, error_gain, kp_firmware, max_pwm}");

@@ -50,7 +50,8 @@ TEST_F(MechanismMjcf, bodiesJointsAndServos) {
   EXPECT_NEAR(shoulder.lower, -M_PI / 2, 1e-12);
   EXPECT_NEAR(shoulder.upper, M_PI / 4, 1e-12);
   EXPECT_DOUBLE_EQ(shoulder.servo.kp, 30);
-  EXPECT_DOUBLE_EQ(shoulder.servo.kd, 0.6) << "the actuator's and the joint's";
+  EXPECT_DOUBLE_EQ(shoulder.servo.kd, 0.5);
+  EXPECT_DOUBLE_EQ(shoulder.damping, 0.1) << "of the joint, not of its servo";
   EXPECT_DOUBLE_EQ(shoulder.servo.armature, 0.01);
   EXPECT_DOUBLE_EQ(shoulder.maxTorque, 4);
   EXPECT_DOUBLE_EQ(elbow.servo.kp, 12);
@@ -120,7 +121,16 @@ TEST_F(MechanismMjcf, theOutermostClassHoldsWhateverItsName) {
   const Mechanism robot =
       readMechanism(write("arm.xml", arm("<default>", "<default class=\"arm\">")), [](const std::string&) {});
   EXPECT_DOUBLE_EQ(robot.joints[0].servo.armature, 0.01);
-  EXPECT_DOUBLE_EQ(robot.joints[0].servo.kd, 0.6);
+  EXPECT_DOUBLE_EQ(robot.joints[0].damping, 0.1);
+}
+
+TEST_F(MechanismMjcf, frictionlossIsTheJointsFriction) {
+  const Mechanism robot =
+      readMechanism(write("arm.xml", arm("name=\"shoulder\"", "name=\"shoulder\" frictionloss=\"0.2\"")), {});
+  EXPECT_DOUBLE_EQ(robot.joints[0].friction, 0.2);
+  EXPECT_DOUBLE_EQ(robot.joints[1].friction, 0);
+  EXPECT_EQ(errorOf("a.xml", arm("name=\"shoulder\"", "name=\"shoulder\" frictionloss=\"-1\"")),
+            "a.xml:9: frictionloss is -1; give it 0 or more");
 }
 
 TEST_F(MechanismMjcf, whatWouldBeMissingOrShiftedIsRefused) {
@@ -132,6 +142,14 @@ TEST_F(MechanismMjcf, whatWouldBeMissingOrShiftedIsRefused) {
       "a.xml:8: <attach> is not followed; save the whole model with MuJoCo (mj_saveLastXML)");
   EXPECT_EQ(errorOf("a.xml", arm("name=\"shoulder\"", "name=\"shoulder\" ref=\"10\"")),
             "a.xml:9: joint shoulder: ref is not 0; save the model with its zero where the body is drawn");
+  EXPECT_EQ(
+      errorOf("a.xml", arm("name=\"shoulder\"", "name=\"shoulder\" stiffness=\"2\"")),
+      "a.xml:9: joint shoulder: stiffness is a spring, which the nominal model does not have; take it out");
+  EXPECT_EQ(
+      errorOf("a.xml", arm("name=\"upper\"", "name=\"upper\" gravcomp=\"1\"")),
+      "a.xml:8: body upper: gravcomp takes gravity off it, which the nominal model does not; take it out");
+  EXPECT_EQ(errorOf("a.xml", arm("</worldbody>", "<body name=\"ball\"/></worldbody>")),
+            "a.xml:18: a second body in the world; a robot is one tree: give the file of the robot alone");
 }
 
 TEST_F(MechanismMjcf, mistakesAreNamedWithTheirLine) {
@@ -146,10 +164,8 @@ TEST_F(MechanismMjcf, mistakesAreNamedWithTheirLine) {
       "a.xml:10: a body's mass is that of a mesh; give the body an <inertial> (mj_saveLastXML writes them)");
   EXPECT_EQ(errorOf("a.xml", arm("class=\"strong\" joint", "class=\"string\" joint")),
             "a.xml:20: there is no class string");
-  EXPECT_EQ(errorOf("a.xml", arm("biasprm=\"0 -12 -0.2\"", "biasprm=\"0 -1 0\"")),
-            "a.xml:21: <general> is no position servo: gainprm is kp, biasprm 0 -kp -kv");
   EXPECT_EQ(errorOf("a.xml", arm("<position class=\"strong\" joint=\"shoulder\"/>", "")),
-            "a.xml: joint shoulder has no position actuator; give it one, or a servo table next to the file: "
+            "a.xml: joint shoulder has no actuator; give it one, or a servo table next to the file: "
             "a.servo.json");
 }
 

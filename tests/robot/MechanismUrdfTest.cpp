@@ -82,6 +82,25 @@ std::string tableOf(const Mechanism& m) {
   return table;
 }
 
+TEST_F(MechanismUrdf, dynamicsAreDoubtedOnceAndTheTablesFrictionCounts) {
+  write("r.servo.yaml", "joints: {a: {kp: 1, kd: 0.1, armature: 0, friction: 0.2, damping: 0.3}}");
+  const std::string text = R"(<robot name="r"><link name="base"/>
+<link name="arm"><inertial><mass value="1"/><inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="a" type="revolute"><parent link="base"/><child link="arm"/>
+<limit lower="-1" upper="1" effort="2" velocity="3"/>
+<dynamics friction="0.1"/></joint></robot>)";
+  std::string warnings;
+  const Mechanism robot =
+      readMechanism(write("r.urdf", text), [&](const std::string& line) { warnings += line; });
+  EXPECT_NE(
+      warnings.find("r.urdf:5: <dynamics> is not read; if it is measured, give friction and damping in the "
+                    "servo table"),
+      std::string::npos)
+      << warnings;
+  EXPECT_DOUBLE_EQ(robot.joints[0].friction, 0.2);
+  EXPECT_DOUBLE_EQ(robot.joints[0].damping, 0.3);
+}
+
 TEST_F(MechanismUrdf, aUrdfWithItsTableIsTheSameRobot) {
   for (const char* name : {"nao_v5", "so101", "xl330_pendulum"}) {
     SCOPED_TRACE(name);

@@ -46,6 +46,8 @@ TEST_P(WrittenMechanism, isReadBackAsItWas) {
     EXPECT_EQ(a.maxSpeed, b.maxSpeed);
     EXPECT_EQ(a.encoder, b.encoder);
     EXPECT_EQ(a.servo, b.servo);
+    EXPECT_EQ(a.friction, b.friction);
+    EXPECT_EQ(a.damping, b.damping);
     EXPECT_EQ(a.driver, b.driver);
     EXPECT_EQ(a.driverRatio, b.driverRatio);
     EXPECT_EQ(a.driverOffset, b.driverOffset);
@@ -69,7 +71,7 @@ TEST_P(WrittenMechanism, isReadBackAsItWas) {
 INSTANTIATE_TEST_SUITE_P(Robots, WrittenMechanism,
                          testing::Values("nao_v5", "xl330_pendulum", "so101", "simspark_type4"));
 
-TEST(MechanismWriter, shapesDriversSlidersAndEncodersAreKept) {
+TEST(MechanismWriter, shapesDriversSlidersFrictionAndEncodersAreKept) {
   Mechanism robot = findMechanism("nao_v5");
   Shape capsule;
   capsule.kind = Shape::Kind::capsule;
@@ -82,6 +84,9 @@ TEST(MechanismWriter, shapesDriversSlidersAndEncodersAreKept) {
   robot.joints[3].driver = 2;
   robot.joints[3].driverRatio = -0.5;
   robot.joints[3].driverOffset = 0.1;
+  robot.joints[4].friction = 0.02;
+  robot.joints[4].damping = 0.3;
+  robot.joints[5].servo.kp = 0;
   const Mechanism back = readBack(robot);
   ASSERT_TRUE(back.links[1].shape.has_value());
   EXPECT_EQ(back.links[1].shape->kind, Shape::Kind::capsule);
@@ -93,6 +98,9 @@ TEST(MechanismWriter, shapesDriversSlidersAndEncodersAreKept) {
   EXPECT_EQ(back.joints[3].driver, 2);
   EXPECT_EQ(back.joints[3].driverRatio, -0.5);
   EXPECT_EQ(back.joints[3].driverOffset, 0.1);
+  EXPECT_EQ(back.joints[4].friction, 0.02);
+  EXPECT_EQ(back.joints[4].damping, 0.3);
+  EXPECT_EQ(back.joints[5].servo.kp, 0);
 }
 
 TEST(MechanismWriter, aBaseWithoutMassGetsALittle) {

@@ -6,6 +6,7 @@
 
 #include "gap/answer/Behavior.h"
 #include "gap/diagnosis/GapMap.h"
+#include "gap/run/Channel.h"
 
 namespace plumbline::gap {
 
@@ -173,6 +174,16 @@ std::string verdictSentence(const Diagnosis& diagnosis) {
                                 : " The nearest explanation is " + causes + ", and it is not enough.");
 }
 
+namespace {
+
+/// What to move to see more of a signal, which may be empty or of no joint.
+std::string moved(const std::string& signal) {
+  const auto channel = parseChannel(signal);
+  return channel && channel->ofJoint() ? "Move only " + channel->place : "Move one joint at a time";
+}
+
+}  // namespace
+
 std::string suggestion(const Diagnosis& diagnosis, const Evidence& evidence) {
   const bool repeats = [&] {
     const auto& trials = evidence.trials();
@@ -196,7 +207,7 @@ std::string suggestion(const Diagnosis& diagnosis, const Evidence& evidence) {
              "." + again;
     }
   if (diagnosis.verdict == Verdict::unknown)
-    return "Move only " + diagnosis.worstSignal.substr(diagnosis.worstSignal.find('.') + 1) +
+    return moved(diagnosis.worstSignal) +
            ": slowly through its range in both directions, at several loads, then the same fast. This shows "
            "what depends on position, speed, load or time." +
            again;

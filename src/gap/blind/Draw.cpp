@@ -88,7 +88,7 @@ BlindEffect drawOne(const Mechanism& robot, const Range& what, Random& random) {
     const Mechanism::Joint& j = robot.joints[static_cast<std::size_t>(joint)];
     if (range.unit == Unit::torque) e.value *= j.maxTorque;
     if (range.unit == Unit::perTorque) e.value /= j.maxTorque;
-    if (range.unit == Unit::damping) e.value *= j.servo.kd;
+    if (range.unit == Unit::damping) e.value *= j.servo.kd + j.damping;
   }
   if (range.bothSigns && random.uniform() < 0.5) e.value = -e.value;
   if (const DrawRange::Choice& choice = range.choice; !choice.name.empty())

@@ -13,6 +13,7 @@
 #include "gap/blind/Workshop.h"
 #include "gap/record/SimulatedRecording.h"
 #include "gap/run/RunFile.h"
+#include "robot/MechanismCheck.h"
 #include "robot/MechanismFile.h"
 
 namespace plumbline::gap {
@@ -125,6 +126,7 @@ BlindSet makeBlind(const BlindMakeOptions& given) {
   BlindMakeOptions options = given;
   if (options.engine == blindReplay) options.draw.outside = false;
   const Mechanism robot = namedMechanism(options.robot);
+  requirePositionServos(robot);
   const Workshop workshop(options.engine, options.robot, robot, programsOf(options.draw.battery),
                           options.program);
   std::error_code error;

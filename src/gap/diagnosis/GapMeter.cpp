@@ -72,6 +72,8 @@ double gapOnFixedBase(const Evaluator& evaluator) {
   std::set<std::string> sticking;
   for (const Cause& cause : evaluator.base())
     if (cause.effect->sticks) sticking.insert("pos." + cause.place.at);
+  for (const Mechanism::Joint& joint : evaluator.mechanism().joints)
+    if (joint.friction > 0) sticking.insert("pos." + joint.name);
   double worst = 0;
   evaluator.forEachChannel([&](const Trial& trial, const Signal& signal, double chi) {
     if (!trial.freeBase && Evidence::counts(signal) && !sticking.contains(signal.name))

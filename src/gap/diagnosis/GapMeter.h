@@ -21,8 +21,8 @@ WorstGap worstGap(const Evaluator& evaluator, std::optional<bool> floatingBase =
 double gapOnFloatingBase(const Evaluator& evaluator);
 
 /// The gap beyond noise of the worst channel in any run with a fixed base, in units of noise. For a joint
-/// with a sticking cause (Effect::sticks) in the base, it is taken over all runs without the worst 3 % of
-/// their half-seconds.
+/// with a sticking cause (Effect::sticks) in the base, or friction in the robot's file, it is taken over all
+/// runs without the worst 3 % of their half-seconds.
 double gapOnFixedBase(const Evaluator& evaluator);
 
 /// Whether joints on a fixed base deviate about as far as on the feet: those recordings show the cause.

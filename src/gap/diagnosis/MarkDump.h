@@ -61,9 +61,9 @@ public:
   }
   void add(const Mechanism::Joint& joint) {
     const auto& [name, type, parent, child, origin, rpy, axis, lower, upper, maxTorque, maxSpeed, encoder,
-                 servo, driver, driverRatio, driverOffset] = joint;
+                 servo, friction, damping, driver, driverRatio, driverOffset] = joint;
     all(name, type, parent, child, origin, rpy, axis, lower, upper, maxTorque, maxSpeed, encoder, servo,
-        driver, driverRatio, driverOffset);
+        friction, damping, driver, driverRatio, driverOffset);
   }
   void add(const Mechanism::Imu& imu) {
     const auto& [link, gyro, accelerometer, rpy] = imu;

@@ -19,7 +19,8 @@ const Effect viscousFriction{
     .exposedBy = "chirps and fast moves",
     .scale =
         [](const Mechanism& m, const Place& p) {
-          return std::max(0.05, m.joints[static_cast<std::size_t>(p.index)].servo.kd);
+          const Mechanism::Joint& joint = m.joints[static_cast<std::size_t>(p.index)];
+          return std::max(0.05, joint.servo.kd + joint.damping);
         },
     .apply = [](Plant& plant, const Place& place, double value,
                 int) { atJoints(plant, place, [value](JointPlant& joint) { joint.viscous += value; }); },

@@ -70,9 +70,6 @@ constexpr double limitMargin = 0.01;  ///< [rad] or [m], at most a hundredth of 
 /// Torque of each joint against gravity at positions q, with a level, fixed base [N m].
 std::vector<double> gravityTorques(const Mechanism& robot, const std::vector<double>& q);
 
-/// Inertia at each joint's motor at positions q, including its own, with the other joints still [kg m^2].
-std::vector<double> feltInertias(const Mechanism& robot, const std::vector<double>& q);
-
 /// Acceleration that each joint reaches at positions q with seven tenths of its torque, against gravity
 /// [rad/s^2]; at least a tenth of the value without gravity.
 std::vector<double> reachableAccelerations(const Mechanism& robot, const std::vector<double>& q);

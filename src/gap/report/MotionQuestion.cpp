@@ -4,6 +4,7 @@
 
 #include "framework/ConfigurationError.h"
 #include "gap/report/NextMotion.h"
+#include "robot/MechanismCheck.h"
 
 namespace plumbline::gap {
 
@@ -77,6 +78,7 @@ std::string separatingMotion(const Mechanism& robot, const Diagnosis& diagnosis)
       }
   if (!rival) return "";
   try {
+    requirePositionServos(robot);
     return nextMotion(robot, *cause, rival->cause);
   } catch (const std::exception&) {
     return "";  // the answer then says in general what would help

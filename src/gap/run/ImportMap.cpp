@@ -121,7 +121,7 @@ ImportMap readImportMap(const std::string& path) {
   ImportMap map{ConfigFile(path), {}, {}, false, false, {}};
   const ConfigSection& root = map.file.root();
   readHead(root, map);
-  const TableForm form = readForm(root, {',', {"nan", "NaN", "null"}, true});
+  const TableForm form = readForm(root, {',', {"nan", "NaN", "null"}, true, true});
   map.severalTables = root.has("tables");
   if (map.severalTables) {
     for (const char* key : {"columns", "time"})

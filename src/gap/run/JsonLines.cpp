@@ -6,6 +6,7 @@
 #include "framework/Json.h"
 #include "framework/StopSignal.h"
 #include "framework/TextLines.h"
+#include "gap/run/JsonArray.h"
 #include "gap/run/OtherTables.h"
 #include "gap/run/Run.h"
 
@@ -27,9 +28,11 @@ const json* namesIn(const json& object) {
   return nullptr;
 }
 
+/// Of TextLines or JsonArray.
+template <class Entries>
 class Reader {
 public:
-  explicit Reader(const std::string& path) : lines_(path, maxLineLength) {}
+  Reader(const std::string& path, const char* entry) : lines_(path, maxLineLength), entry_(entry) {}
 
   Table read() {
     for (std::string_view text; lines_.next(text);) {
@@ -38,8 +41,8 @@ public:
       addLine(text);
     }
     if (rows_ < 2)
-      throw RunError(lines_.path() + ": has " + std::to_string(rows_) +
-                     " lines of data; a run needs two at least");
+      throw RunError(lines_.path() + ": has " + std::to_string(rows_) + " " + entry_ +
+                     " of data; a run needs two at least");
     for (std::vector<double>& column : table_.columns) column.resize(rows_, lost);
     return std::move(table_);
   }
@@ -99,7 +102,8 @@ private:
     return table_.columns[at->second];
   }
 
-  TextLines lines_;
+  Entries lines_;
+  const std::string entry_;
   Table table_;
   std::map<std::string, std::size_t> index_;
   std::size_t rows_ = 0;
@@ -109,7 +113,8 @@ private:
 
 Table readJsonLines(const std::string& path) {
   try {
-    return Reader(path).read();
+    if (JsonArray::isIn(path)) return Reader<JsonArray>(path, "entries").read();
+    return Reader<TextLines>(path, "lines").read();
   } catch (const TextError& error) {
     throw RunError(error.what());
   }

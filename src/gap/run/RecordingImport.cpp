@@ -38,6 +38,7 @@ void RecordingImport::requireOthers(const TimedChannels& other) {
 
 void RecordingImport::run(ImportedRun& result) {
   table_ = readRecording(recording_, part_.form);
+  for (const std::string& note : table_.notes) result.notes.push_back(recording_ + ": " + note);
   takeTime(result);
   for (const ColumnRule& rule : part_.rules) collect(rule);
   if (sources_.empty()) throw RunError(recording_ + ": no channel came out of it; see columns in the map");

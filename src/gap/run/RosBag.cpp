@@ -125,14 +125,21 @@ constexpr Type types[] = {{jointState, readJointState},
                           {"std_msgs/msg/Float64MultiArray", readArray},
                           {"sensor_msgs/msg/Imu", readImu}};
 
+/// What to do with a bag of another storage.
+std::string conversion(const std::string& path) {
+  return "of a bag of another storage (.mcap) make one: echo 'output_bags: [{uri: converted, storage_id: "
+         "sqlite3, "
+         "all: true}]' > convert.yaml; ros2 bag convert -i " +
+         path + " -o convert.yaml; then import the folder converted";
+}
+
 std::vector<std::string> filesOf(const std::string& path) {
   std::error_code error;
   if (!fs::is_directory(path, error)) return {path};
   std::vector<std::string> files;
   for (fs::directory_iterator at(path, error), end; !error && at != end; at.increment(error))
     if (at->path().extension() == ".db3" && files.size() < mostFiles) files.push_back(at->path().string());
-  if (files.empty())
-    throw RunError(path + ": holds no .db3 file; a bag of another storage is converted by ros2 bag convert");
+  if (files.empty()) throw RunError(path + ": holds no .db3 file; " + conversion(path));
   std::ranges::sort(files, {}, [](const std::string& file) { return std::pair(file.size(), file); });
   return files;
 }
@@ -269,10 +276,12 @@ private:
 Table readRosBag(const std::string& path) { return Bag(path).read(); }
 
 Table readRecording(const std::string& path, const TableForm& form) {
-  const std::string ending = fs::path(path).extension().string();
+  std::string ending = fs::path(path).extension().string();
+  if (ending == ".gz") ending = fs::path(path).stem().extension().string();
   std::error_code error;
+  if (ending == ".mcap") throw RunError(path + ": is a bag in MCAP, which is not read; " + conversion(path));
   if (ending == ".db3" || fs::is_directory(path, error)) return readRosBag(path);
-  if (ending == ".jsonl" || ending == ".ndjson") return readJsonLines(path);
+  if (ending == ".jsonl" || ending == ".ndjson" || ending == ".json") return readJsonLines(path);
   return readTable(path, form);
 }
 

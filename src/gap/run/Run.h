@@ -75,4 +75,8 @@ struct Run {
 /// values of run.json count, the rest follows from the law in Servo. Unknown joints are ignored.
 Mechanism withServo(Mechanism robot, const Run& run);
 
+/// Whether a joint of the robot's file is driven by the speeds that it was sent alone: its servo has damping,
+/// in the file or in the run, and it was sent no positions.
+bool takesSpeeds(const Run& run, const Mechanism::Joint& joint);
+
 }  // namespace plumbline::gap

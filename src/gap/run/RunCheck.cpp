@@ -6,6 +6,7 @@
 
 #include "gap/run/BodyCheck.h"
 #include "gap/run/ColumnStatistics.h"
+#include "gap/run/CommandCheck.h"
 #include "gap/run/Plausibility.h"
 #include "gap/run/RunFile.h"
 #include "gap/run/SentCommands.h"
@@ -50,6 +51,7 @@ public:
     checkNames();
     checkBounds();
     checkJoints();
+    checkCommands(run_, robot_);
     checkPlausibility(run_, robot_, warnings_);
     checkBodySensors(run_, robot_, warnings_);
     checkWhatIsLeft();

@@ -12,6 +12,7 @@ struct ImportedRun {
   std::vector<std::string> unused;   ///< columns of the recordings that the map does not name
   std::size_t linesWithoutTime = 0;  ///< dropped
   std::vector<std::string> guesses;  ///< units that the map does not name, and what they were taken for
+  std::vector<std::string> notes;    ///< how tables were read (Table::notes)
   std::vector<std::string> merged;   ///< of several recordings: how their lines came together
 };
 

@@ -19,6 +19,8 @@ void leaveOutUselessCommands(Run& run, const Mechanism::Joint& joint, std::vecto
                          " it follows torques or currents");
   if (run.find(ChannelKind::commandTorque, joint.name))
     leaveOut(ChannelKind::commandCurrent, "cmd_torque." + joint.name + " is used");
+  if (!dcMotor && !run.find(ChannelKind::command, joint.name) && !takesSpeeds(run, joint))
+    leaveOut(ChannelKind::commandSpeed, "its servo has no damping (kd), so speeds do not drive it");
   if (!(joint.servo.kt > 0))
     leaveOut(ChannelKind::commandCurrent, "the robot's file gives no torque per ampere (servo.kt)");
 }

@@ -25,14 +25,15 @@ public:
   Table read() {
     const std::string& path = lines_.path();
     std::string_view text;
-    if (!lines_.next(text) || text.empty())
+    if (!nextLine(text) || text.empty())
       throw RunError(path + ": is empty; the first line names the columns");
-    readHeader(text);
-    while (nextRow()) {
+    const bool named = takeNamesOfComment(text);
+    if (!named) readHeader(text);
+    while (named && rows_ == 0 ? splitRow(text) : nextRow()) {
       StopSignal::throwIfCaught();
       if (cells_.size() != ofHeader_)
         lines_.fail("has " + std::to_string(cells_.size()) + " cells, the header has " +
-                    std::to_string(ofHeader_));
+                    std::to_string(ofHeader_) + otherSeparator_);
       ++rows_;
       for (std::size_t c = 0; c < ofHeader_; ++c) take(c);
       if (rows_ * table_.names.size() > maxCells)
@@ -41,12 +42,69 @@ public:
     if (rows_ < 2)
       throw RunError(path + ": has " + std::to_string(rows_) + " lines of data; a run needs two at least");
     removeLists();
+    noteForm();
     return std::move(table_);
   }
 
 private:
+  /// The next line that is no comment.
+  bool nextLine(std::string_view& text) {
+    while (lines_.next(text)) {
+      if (lines_.line() == 1 && text.substr(0, 3) == "\xef\xbb\xbf")
+        text.remove_prefix(3);  // byte order mark
+      if (!form_.foreign || !text.starts_with('#')) return true;
+      ++comments_;
+      comment_ = text.substr(1);
+      commentLine_ = lines_.line();
+    }
+    return false;
+  }
+
+  /// Names as numpy writes them: in a comment right above the first line, which holds numbers alone.
+  bool takeNamesOfComment(std::string_view first) {
+    if (commentLine_ == 0 || commentLine_ + 1 != lines_.line()) return false;
+    std::vector<std::string_view> names;
+    splitCells(comment_, form_.separator, false, names);
+    if (!splitCells(first, form_.separator, form_.lists, cells_) || cells_.size() != names.size())
+      return false;
+    double x = 0;
+    if (!std::ranges::all_of(cells_, [&](std::string_view cell) { return isNumber(cell, x); })) return false;
+    const std::string comment = comment_;
+    readHeader(comment);
+    --comments_;
+    table_.notes.push_back("the names of the columns are those of the comment in line " +
+                           std::to_string(commentLine_));
+    return true;
+  }
+
+  /// A number, also with a decimal comma where that can be one.
+  bool isNumber(std::string_view cell, double& x) {
+    if (numberOf(cell, x)) {
+      if (firstPoint_ == 0 && cell.find('.') != std::string_view::npos) firstPoint_ = lines_.line();
+      return true;
+    }
+    if (!form_.foreign || form_.separator == ',' || cell.size() > 40) return false;
+    const std::size_t comma = cell.find(',');
+    if (comma == std::string_view::npos || cell.find('.') != std::string_view::npos) return false;
+    std::string text(cell);
+    text[comma] = '.';
+    if (!numberOf(text, x)) return false;
+    if (firstComma_ == 0) firstComma_ = lines_.line();
+    return true;
+  }
+
+  void noteForm() {
+    if (comments_ > 0)
+      table_.notes.push_back("lines that begin with # are left out: " + std::to_string(comments_));
+    if (firstComma_ == 0) return;
+    if (firstPoint_ > 0)
+      throw RunError(lines_.path() + ": has a decimal comma in line " + std::to_string(firstComma_) +
+                     " and a decimal point in line " + std::to_string(firstPoint_) +
+                     "; write all numbers in one way");
+    table_.notes.emplace_back("numbers are read with decimal commas");
+  }
+
   void readHeader(std::string_view text) {
-    if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);  // byte order mark
     if (!splitCells(text, form_.separator, form_.lists, cells_)) lines_.fail("the quotes of a name are open");
     if (cells_.size() > maxColumns) lines_.fail("more than " + std::to_string(maxColumns) + " columns");
     for (const std::string_view cell : cells_) {
@@ -54,6 +112,10 @@ private:
       addColumn(std::string(cell));
     }
     ofHeader_ = table_.names.size();
+    for (const auto& [separator, shown] : {std::pair(';', ";"), std::pair('\t', "tab"), std::pair(',', ",")})
+      if (form_.foreign && ofHeader_ == 1 && text.find(separator) != std::string_view::npos)
+        otherSeparator_ = std::string("; if cells end with another character, write separator: \"") + shown +
+                          "\" into the map";
     elements_.resize(ofHeader_);
   }
 
@@ -70,8 +132,12 @@ private:
   bool nextRow() {
     std::string_view text;
     do {
-      if (!lines_.next(text)) return false;
+      if (!nextLine(text)) return false;
     } while (text.empty());
+    return splitRow(text);
+  }
+
+  bool splitRow(std::string_view text) {
     if (splitCells(text, form_.separator, form_.lists, cells_)) return true;
     const std::size_t first = lines_.line();
     joined_ = text;
@@ -95,7 +161,7 @@ private:
     const std::string_view cell = cells_[c];
     const bool empty = cell.empty() || std::ranges::find(form_.missing, cell) != form_.missing.end();
     double x = lostCell;
-    if (!empty && !numberOf(cell, x)) x = lostCell;
+    if (!empty && !isNumber(cell, x)) x = lostCell;
     const bool number = !std::isnan(x);
     const Elements& elements = elements_[c];
     if (!empty && !number && form_.lists && listOf(cell, form_.missing, maxColumns, list_)) {
@@ -158,6 +224,8 @@ private:
   Table table_;
   std::set<std::string> seen_;
   std::size_t ofHeader_ = 0, rows_ = 0;
+  std::size_t comments_ = 0, commentLine_ = 0, firstComma_ = 0, firstPoint_ = 0;
+  std::string comment_, otherSeparator_;
   std::vector<Elements> elements_;
   std::vector<std::string_view> cells_;
   std::vector<double> list_;

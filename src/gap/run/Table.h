@@ -20,6 +20,7 @@ struct Table {
   /// Columns with lists in their cells, and how long these are. The numbers are in the columns `NAME[0]`,
   /// `NAME[1]`, ... behind all others; NAME is no column.
   std::map<std::string, std::size_t> lists;
+  std::vector<std::string> notes;  ///< how the text was read where that was not said: comments, commas
 };
 
 /// Limits: characters of one line, columns, cells in all.
@@ -38,6 +39,9 @@ struct TableForm {
   /// Cells may hold lists (Cell.h). A quoted cell may then go over several lines, as pandas writes long
   /// arrays. All lists of a column are equally long; an empty cell is a lost list.
   bool lists = false;
+  /// As other programs write tables: lines that begin with # are left out, and if the separator is no comma,
+  /// numbers may have decimal commas. Names that stand in a comment right above the numbers count.
+  bool foreign = false;
 };
 
 /// Reads a table, plain or gzip: a header line, then as many cells a line. Throws RunError: unreadable, cut

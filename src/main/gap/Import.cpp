@@ -19,7 +19,8 @@ void addImport(CommandLine& app) {
   CommandLine command = app.command("import", "Turns tables of another recorder into a run");
   command
       .option("recordings", options->import.recordings,
-              "csv or csv.gz; JSON lines (.jsonl, .ndjson); a bag of ROS 2 (its folder, or .db3). Several of "
+              "csv or csv.gz; JSON lines (.jsonl, .ndjson) or a list of objects (.json); a bag of ROS 2 (its "
+              "folder, or .db3). Several of "
               "one motion, in the order of tables in the map, become one run")
       .required();
   command.option("--map", options->import.map, "YAML file: which column is which channel, units, signs")
@@ -41,6 +42,7 @@ void addImport(CommandLine& app) {
     out.putInPlace();
     std::printf("%s: %zu cycles, %zu channels\n", options->out.c_str(), imported.run.size(),
                 imported.run.channels.size());
+    for (const std::string& line : imported.notes) std::printf("  %s\n", line.c_str());
     for (const std::string& line : imported.merged) std::printf("  %s\n", line.c_str());
     for (const std::string& line : imported.guesses)
       std::printf("  %s; if not, write its unit into the map\n", line.c_str());

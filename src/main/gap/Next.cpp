@@ -14,6 +14,7 @@
 #include "main/gap/Commands.h"
 #include "main/gap/ProgressLine.h"
 #include "main/gap/RobotOption.h"
+#include "robot/MechanismCheck.h"
 
 namespace plumbline::gap {
 
@@ -30,6 +31,7 @@ void next(const NextOptions& options) {
   if (name.empty() && options.robot.empty())
     throw ConfigurationError(options.answer + ": does not name its robot: give it with --robot");
   const Mechanism robot = robotOf(options.robot, name);
+  requirePositionServos(robot);
   const MotionQuestion question =
       motionQuestionOf(causesOf(answer, options.answer, robot), answer, robot, options.answer);
   NextMotionOptions search;

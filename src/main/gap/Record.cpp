@@ -22,6 +22,7 @@
 #include "main/gap/Commands.h"
 #include "main/gap/RecordingsFolder.h"
 #include "main/gap/RobotOption.h"
+#include "robot/MechanismCheck.h"
 #include "servo/RobotSimulation.h"
 #include "simspark/LeagueRobots.h"
 
@@ -119,6 +120,7 @@ void record(const RecordOptions& options) {
   checkOptions(options);
   const Mechanism robot =
       robotOf(onServer(options) ? simsparkRobotName(options.simspark.type) : options.robot, "");
+  requirePositionServos(robot);
   const std::vector<Item> items = itemsOf(options, robot);
   checkWalks(options, items);
   const bool single = options.battery.empty() && items.size() == 1;

@@ -74,7 +74,8 @@ const ServoCommand& PositionServoAdapter::command(const WalkOutput& output, cons
     double target = output.set[j] ? output.angles[j] : 0;
     if (output.set[j] && kp > 0) {
       const double rate = begun_ ? (output.angles[j] - last_[j]) / sensors.dt : 0;
-      target += p.servo.loadLead * torque[j] / kp + p.servo.rateLead * joint.servo.kd / joint.servo.kp * rate;
+      target += p.servo.loadLead * torque[j] / kp +
+                p.servo.rateLead * (joint.servo.kd + joint.damping) / joint.servo.kp * rate;
     }
     command_.target[static_cast<std::size_t>(index)] = std::clamp(target, joint.lower, joint.upper);
     command_.stiffness[static_cast<std::size_t>(index)] = output.stiffness[j];

@@ -31,6 +31,21 @@ TEST(AnswerTest, theRecordingsThatRanWithoutACauseAreNamed) {
   EXPECT_FALSE(effects[1].contains("not_in"));
 }
 
+TEST(AnswerTest, theNextMotionNamesAJointOrNone) {
+  const Mechanism arm = twoJointArm();
+  const Evidence evidence({recorded(nominalPlant(arm), armTrial(arm, 1.5), 5e-4, 3)});
+  const auto asked = [&](const std::string& worstSignal) {
+    Diagnosis diagnosis;
+    diagnosis.verdict = Verdict::unknown;
+    diagnosis.worstSignal = worstSignal;
+    const std::string text = suggestion(diagnosis, evidence);
+    return text.substr(0, text.find(':'));
+  };
+  EXPECT_EQ(asked("pos.elbow"), "Move only elbow");
+  EXPECT_EQ(asked("gyro.x"), "Move one joint at a time") << "which no joint is";
+  EXPECT_EQ(asked(""), "Move one joint at a time") << "no channel is worst";
+}
+
 TEST(AnswerTest, aDrawnSignalHasFifteenHundredPointsAtMost) {
   const Mechanism arm = twoJointArm();
   for (const double seconds : {14.0, 17.0}) {

@@ -64,6 +64,15 @@ TEST(GapMeterTest, aJointThatSticksMayLetGoLate) {
   EXPECT_GT(judgedWith(much, sticks), 3);
 }
 
+TEST(GapMeterTest, aJointWithFrictionInTheRobotsFileMayLetGoLate) {
+  const Trial longRun = recorded(nominalPlant(legOnItsFoot()), legTrial(false, 20), readingNoise, 8);
+  const Judged judged({displaced(longRun, 0.02)});
+  Mechanism rough = judged.leg;
+  rough.joints[0].friction = 1e-6;
+  EXPECT_GT(gapOnFixedBase(judged.evaluator), 1.5);
+  EXPECT_LT(gapOnFixedBase(Evaluator(rough, judged.evidence)), 0.7);
+}
+
 TEST(GapMeterTest, runsWithAFixedBaseTellWhereTheyAreOffAsWell) {
   const Judged both({displaced(nominalRun(true), 0.4), displaced(nominalRun(false), 0.4)}),
       onlyFloatingBase({displaced(nominalRun(true), 0.4), nominalRun(false)});

@@ -82,6 +82,9 @@ TEST_F(MotionQuestionTest, aDiagnosisWithoutALikelyRivalNeedsNoOtherMotion) {
   const std::string text = separatingMotion(arm, diagnosis);
   EXPECT_TRUE(text.starts_with("Record ")) << text;
   EXPECT_NE(text.find("coulomb_friction at elbow and viscous_friction at elbow"), std::string::npos) << text;
+  Mechanism torques = arm;
+  torques.joints[1].servo.kp = 0;
+  EXPECT_EQ(separatingMotion(torques, diagnosis), "") << "motions are commanded positions";
 }
 
 }  // namespace

@@ -71,6 +71,53 @@ TEST_F(OtherTables, listsWithNamesInTheSameTable) {
   EXPECT_EQ(column(table, "state.more.2"), (std::vector{3.0, 3.0}));
 }
 
+TEST_F(OtherTables, aListOfObjectsIsReadAsJsonLinesAre) {
+  for (const std::string text :
+       {R"([{"t": 0, "q": "]}{["}, {"t": 0.01, "q": {"a": 5}}])",
+        "\xef\xbb\xbf[\n  {\n \"t\": 0, \"q\": \"\\\"}\"\n},\n{\"t\": 0.01,\n\"q\": {\"a\": 5}}\n]\n"}) {
+    const Table table = readRecording(write("log.json", text), {});
+    EXPECT_EQ(column(table, "t"), (std::vector{0.0, 0.01}));
+    EXPECT_EQ(column(table, "q.a")[1], 5);
+  }
+  std::string longList = "[";
+  for (int i = 0; i < 20000; ++i)
+    longList += (i ? ", " : "") + std::string("{\"t\": ") + std::to_string(i) + "}";
+  EXPECT_EQ(column(readRecording(write("log.json", longList + "]"), {}), "t").size(), 20000U)
+      << "in one line";
+  const std::string line = "{\"t\": 0}\n{\"t\": 1}\n";
+  EXPECT_EQ(column(readRecording(write("log.json", line), {}), "t").size(), 2U) << "lines of that ending";
+}
+
+TEST_F(OtherTables, whatIsNoListOfObjectsIsNamedWithItsLine) {
+  EXPECT_EQ(errorOf(write("a.json", "[{\"t\": 0},\n[1]]")),
+            "a.json:2: is no object; each entry is one: {\"t\": 0.01, ...}");
+  EXPECT_EQ(errorOf(write("a.json", "[{\"t\": 0},\n{\"t\": }]")), "a.json:2: broken JSON");
+  EXPECT_EQ(errorOf(write("a.json", "[{\"t\": 0}\n{\"t\": 1}]")),
+            "a.json:1: broken JSON: a comma or ] is missing behind an entry");
+  EXPECT_EQ(errorOf(write("a.json", "[{\"t\": 0},\n{\"t\": 1")),
+            "a.json:2: the file is cut short: its list does not end");
+  EXPECT_EQ(errorOf(write("a.json", "[{\"t\": 0}, {\"t\": 1}]\n[]")),
+            "a.json:1: goes on behind its list; give one list of objects");
+  EXPECT_EQ(errorOf(write("a.json", "[{\"t\": 0}]")),
+            "a.json: has 1 entries of data; a run needs two at least");
+  EXPECT_EQ(errorOf(write("a.json", "[{\"t\": \"" + std::string(200000, 'x') + "\"}]")),
+            "a.json:1: the entry is longer than 131072 characters");
+}
+
+TEST_F(OtherTables, aBagInMcapIsAnErrorThatSaysWhatToDo) {
+  const std::string make =
+      "echo 'output_bags: [{uri: converted, storage_id: sqlite3, all: true}]' > convert.yaml; ros2 bag "
+      "convert -i ";
+  EXPECT_EQ(errorOf(write("a.mcap", "MCAP")),
+            "a.mcap: is a bag in MCAP, which is not read; of a bag of another storage (.mcap) make one: " +
+                make + "a.mcap -o convert.yaml; then import the folder converted");
+  fs::create_directories(folder + "/bag");
+  write("bag/a.mcap", "MCAP");
+  EXPECT_EQ(errorOf(folder + "/bag"),
+            "bag: holds no .db3 file; of a bag of another storage (.mcap) make one: " + make +
+                "bag -o convert.yaml; then import the folder converted");
+}
+
 TEST_F(OtherTables, whatIsNoJsonIsNamedWithItsLine) {
   EXPECT_EQ(errorOf(write("a.jsonl", "{\"t\": 0}\n[1]\n")),
             "a.jsonl:2: is no object; each line is one: {\"t\": 0.01, ...}");
@@ -187,8 +234,7 @@ TEST_F(OtherTables, aBagWithoutJointStatesSaysWhatItHas) {
   EXPECT_EQ(errorOf(folder + "/c.db3"),
             "c.db3: a message of /joint_states is damaged: byte 21: 4 bytes needed, 0 left");
   fs::create_directories(folder + "/empty");
-  EXPECT_EQ(errorOf(folder + "/empty"),
-            "empty: holds no .db3 file; a bag of another storage is converted by ros2 bag convert");
+  EXPECT_EQ(errorOf(folder + "/empty").substr(0, 29), "empty: holds no .db3 file; of");
 }
 
 }  // namespace

@@ -37,14 +37,61 @@ TEST(Table, moreColumnsOrCharactersAreRefused) {
 
 TEST(Table, ofALongTextTheBeginningIsShown) {
   EXPECT_EQ(shownText("pos.LKneePitch"), "pos.LKneePitch");
-  EXPECT_EQ(shownText(std::string(25, 'a') + "\n\xff\t~~~"), std::string(25, 'a') + "???~~");
+  const std::string many(25, 'a');
+  EXPECT_EQ(shownText(many + "\n\xff\t~~~"), many + "???~~");
   EXPECT_EQ(shownText(std::string(29, 'a')), std::string(29, 'a'));
 }
 
 TEST(Table, aNameIsShortAndItsBeginningPrintable) {
   EXPECT_TRUE(canBeName(std::string(190, 'a')));
   EXPECT_FALSE(canBeName(std::string(210, 'a')));
-  EXPECT_FALSE(canBeName(std::string(25, 'a') + "\t"));
+  const std::string many(25, 'a');
+  EXPECT_FALSE(canBeName(many + "\t"));
+}
+
+/// A table of another program.
+Table foreign(const std::string& text, char separator = ',') {
+  const test::ScratchFolder scratch;
+  scratch.write("t.csv", text);
+  return readTable(scratch / "t.csv",
+                   {.separator = separator, .missing = {"nan"}, .lists = true, .foreign = true});
+}
+std::string foreignRefused(const std::string& text, char separator = ',') {
+  const std::string what = thrownBy([&] { foreign(text, separator); });
+  return what.substr(what.rfind("t.csv"));
+}
+
+TEST(Table, decimalCommasAreReadWhereTheSeparatorIsAnother) {
+  const Table table = foreign("t;q;w\n0,5;-1,5e-3;nan\n1;;2\n", ';');
+  EXPECT_EQ(table.columns[0], (std::vector{0.5, 1.0}));
+  EXPECT_EQ(table.columns[1][0], -0.0015);
+  EXPECT_TRUE(table.bad.empty());
+  EXPECT_EQ(table.notes, std::vector<std::string>{"numbers are read with decimal commas"});
+  EXPECT_EQ(foreign("t;q\n0;1,2,3\n1;2\n", ';').bad.size(), 1U);
+  EXPECT_EQ(foreign("t;q\n0;1.234,5\n1;2\n", ';').bad.size(), 1U) << "thousands";
+  EXPECT_EQ(
+      foreignRefused("t;q\n0,5;1\n1;2\n1,5;1.234\n", ';'),
+      "t.csv: has a decimal comma in line 2 and a decimal point in line 4; write all numbers in one way");
+  EXPECT_EQ(foreignRefused("t;q\n0,5;1\n1;2\n"),
+            "t.csv:2: has 2 cells, the header has 1; if cells end with another character, write separator: "
+            "\";\" into the map");
+}
+
+TEST(Table, commentsAreLeftOut) {
+  const Table table = foreign("\xef\xbb\xbf# a logger\nt,q\n0,1\n# a pause, of 2 s\n2,3\n");
+  EXPECT_EQ(table.names, (std::vector<std::string>{"t", "q"}));
+  EXPECT_EQ(table.columns[1], (std::vector{1.0, 3.0}));
+  EXPECT_EQ(table.notes, std::vector<std::string>{"lines that begin with # are left out: 2"});
+}
+
+TEST(Table, namesInACommentRightAboveTheNumbersAreTheHeader) {
+  const Table table = foreign("# a logger\n# t, q\n0,1\n2,3\n");
+  EXPECT_EQ(table.names, (std::vector<std::string>{"t", "q"}));
+  EXPECT_EQ(table.columns[0], (std::vector{0.0, 2.0}));
+  EXPECT_EQ(table.notes,
+            (std::vector<std::string>{"the names of the columns are those of the comment in line 2",
+                                      "lines that begin with # are left out: 1"}));
+  EXPECT_EQ(foreign("# of today, at noon\nt,q\n0,1\n2,3\n").names[0], "t");
 }
 
 /// A table whose cells may hold lists.
