@@ -14,7 +14,7 @@ namespace {
 using Change = std::function<void(Mechanism&)>;
 
 /// An arm of 1 kg on a base of 2 kg.
-Mechanism arm() {
+Mechanism checkedArm() {
   Mechanism m;
   m.name = "arm";
   Mechanism::Link base, link;
@@ -42,7 +42,7 @@ Mechanism arm() {
 }
 
 std::string errorOf(const Change& change) {
-  Mechanism m = arm();
+  Mechanism m = checkedArm();
   change(m);
   try {
     checkMechanism(m, "arm.json", {});
@@ -53,7 +53,7 @@ std::string errorOf(const Change& change) {
 }
 
 std::string warningOf(const Change& change) {
-  Mechanism m = arm();
+  Mechanism m = checkedArm();
   change(m);
   std::string all;
   checkMechanism(m, "arm.json", [&](const std::string& line) { all += (all.empty() ? "" : "\n") + line; });
