@@ -32,6 +32,14 @@ for figure in team.goals team.shots other.possession other.falls; do
 done
 cut -d, -f17 "$scratch/games/games.log" | grep -cx over | grep -qx 2 || fail "games.log: $(cat "$scratch/games/games.log")"
 
+# Shots are those of games.log. A log without them, of before there were any, gives none.
+shotsOf() { awk -v played="$scratch/games/played" -f tests/bench/games/tracks.awk "$1" | cut -f1,9 | sort -u | tr '\t\n' ' ,'; }
+awk -F, -v OFS=, 'NR > 1 { for (i = 1; i <= NF; ++i) if (name[i] ~ /^shots_/) $i = (($3 == "Team") == (name[i] == "shots_left")) ? 7 : 4 }
+  { if (NR == 1) split($0, name, ","); print }' "$scratch/games/games.log" > "$scratch/shots.log"
+expectEqual "$(shotsOf "$scratch/shots.log")" "Other 4,Team 7," "shots of the table"
+sed 's/,[^,]*,[^,]*$//' "$scratch/games/games.log" > "$scratch/old.log"
+expectEqual "$(shotsOf "$scratch/old.log")" "Other -,Team -," "shots of an old log"
+
 # A player that ended before the game, and one that did not end: the table names both, with their exit status.
 sed -i '1s/^\(left\|right\)\t1\t0\t0/\1\t1\t139\t1/' "$scratch/games/played/1/players.tsv"
 sed -i '1s/^\(left\|right\)\t1\t0\t0/\1\t1\t-\t0/' "$scratch/games/played/2/players.tsv"

@@ -49,7 +49,7 @@ END {
       if (count[order[t], i]) printf " %.2f ± %.2f |", sum[order[t], i] / count[order[t], i], half95(order[t], i); else printf " - |"
     print ""
   }
-  print "\nA pass is made when another player has the next touch, 1.5 m away or farther, and no shot. It is completed when that player is a mate and the ball stayed in play. The first cycle of a player, in which it gets ready, is not counted as late."
+  print "\nEvery goal is a shot, but for own goals; `src/watch/BallTouches.h` says what else is one. A pass is made when another player has the next touch, 1.5 m away or farther, and no shot. It is completed when that player is a mate and the ball stayed in play. The first cycle of a player, in which it gets ready, is not counted as late."
   if (ended != "") print "\nPlayers that ended before the game or with an error, by number and exit status:" ended
   print ""
   key = other; gsub(/[^A-Za-z0-9]+/, "_", key)
