@@ -70,6 +70,21 @@ grep -q "^## The team against A team, on the league's server$" "$scratch/league.
 grep -q "^Games of 2 x 3 s, 1 against 1 on the league's server (rcssserver3d), sides changed" "$scratch/league.md" || fail "table: $(cat "$scratch/league.md")"
 grep -q '"games.a_team_1_rcssserver3d.team.goals", ' "$scratch/league.json" || fail "figures: $(cat "$scratch/league.json")"
 
+# `make bench-games` names a server only if it is given one; it is another benchmark that has one of its own.
+server() { make -n bench-games "$@" | grep -o 'SERVER=[^ ]*' || true; }
+expectEqual "$(server)" "" "server of games without one"
+expectEqual "$(server SERVER=rcssserver3d)" "SERVER=rcssserver3d" "server of games with one"
+
+# In real time the table has the cycles that were late by the clock, too; a log of games in step has none.
+! grep -q "by the clock" "$scratch/games.md" || fail "late by the clock in step: $(cat "$scratch/games.md")"
+"${games[@]}" REALTIME=1 GAMES=1 PLAYERS=1 OUT="$scratch/paced" OTHER_NAME=Paced OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 || fail "real time: $(cat "$scratch/out")"
+paced=$scratch/games-peers/Paced-1-realtime
+grep -q "^## The team against Paced, in real time$" "$paced.md" || fail "heading: $(cat "$paced.md")"
+grep -q '^Games of 2 x 3 s, 1 against 1 on the embedded simulator in real time, ' "$paced.md" || fail "table: $(cat "$paced.md")"
+grep -q "^| late cycles of a player by the clock (answer more than 20 ms after the server's message) | [0-9.]* ± 0.00 | - |$" "$paced.md" || fail "late by the clock: $(cat "$paced.md")"
+grep -q '"games.paced_1_realtime.team.late_cycles_wall", ' "$paced.json" || fail "figures: $(cat "$paced.json")"
+rm "$paced".*
+
 # Named teams are together in one page.
 cp "$scratch/games-peers/A-plain-team-1.md" "$scratch/games-peers/Another-1.md"
 cp "$scratch/games-peers/A-plain-team-1.json" "$scratch/games-peers/Another-1.json"

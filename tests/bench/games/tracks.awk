@@ -1,12 +1,12 @@
 # Reads games.log. Of each game that is over a line for each team. In it: name, goals for, against, falls, kicks.
 # Then: robots within 1.5 m of the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m].
 # Then: shots, possession [%], touching, charging, illegal defence, free kicks against, passes, completed ones.
-# Then: players that ended before the game or with an error, late cycles of a player, its CPU per cycle (mean, 99th percentile [us]).
-# Last: seed, and who ended so. A dash: nothing is
-# known. Of a team that is not ours, those players have ended that are missing in the last scene. What happened comes from games.log
-# (doc/how-to/play-games.md), a dash where it is too old for that. Possession: of the scenes with a robot within 1 m of the ball,
-# those where the nearest one is of the team. The tracks are played/N/track.csv in the order of the seeds; players.sh has written
-# players.tsv there. Variables: played.
+# Then: players that ended before the game or with an error, late cycles of a player, its CPU per cycle (mean, 99th percentile [us]),
+# cycles late by the clock. These in real time alone: in step all wait for each other, and that says how busy the machine was.
+# Last: seed, and who ended so. A dash: nothing is known. Of a team that is not ours, those players have ended that are missing in
+# the last scene. What happened comes from games.log (doc/how-to/play-games.md), a dash where it is too old for that. Possession: of
+# the scenes with a robot within 1 m of the ball, those where the nearest one is of the team. The tracks are played/N/track.csv in
+# the order of the seeds; players.sh has written players.tsv there. Variables: played, realtime.
 BEGIN { FS = ","; OFS = "\t" }
 $1 == "date" { for (i = 1; i <= NF; ++i) column[$i] = i; next }
 $column["end"] != "over" { next }
@@ -51,7 +51,7 @@ function track(file,   f, n) {
 }
 # What the players of the game cost and how they ended.
 function players(file,   f, side) {
-  delete known; delete crashes; delete late; delete cpu; delete highest; delete measured; delete who
+  delete known; delete crashes; delete late; delete cpu; delete highest; delete lateByClock; delete measured; delete who
   while ((getline line < file) > 0) {
     split(line, f, "\t")
     side = f[1]
@@ -60,7 +60,7 @@ function players(file,   f, side) {
     if (f[4] || (f[3] != "0" && f[3] != "1" && f[3] != "143")) { ++crashes[side]; who[side] = who[side] " " f[2] "(" f[3] ")" }
     if (f[5] == "-") continue
     ++measured[side]
-    late[side] += f[5]; cpu[side] += f[6]; highest[side] += f[7]
+    late[side] += f[5]; cpu[side] += f[6]; highest[side] += f[7]; lateByClock[side] += f[8]
   }
   close(file)
 }
@@ -72,7 +72,7 @@ function report(side, other, sign,   minutes) {
     100 * first_[side] / (first_["left"] + first_["right"] + 1e-9), \
     v[column["touching_" side]], v[column["charging_" side]], v[column["illegal_defence_" side]], v[column["free_kicks_against_" side]], \
     v[column["passes_" side]], v[column["passes_completed_" side]], known[side] ? crashes[side] + 0 : most[side] - here[side], ofPlayers(late, side), \
-    ofPlayers(cpu, side), ofPlayers(highest, side), v[column["seed"]], who[side]
+    ofPlayers(cpu, side), ofPlayers(highest, side), (realtime ? ofPlayers(lateByClock, side) : "-"), v[column["seed"]], who[side]
 }
 END {
   for (s = first; s <= last; ++s) {
