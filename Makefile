@@ -219,13 +219,14 @@ $(ownPage:%=bench-%): bench-%:
 # The team against the players of before it, in whole games on the embedded simulator: GAMES, HALF (seconds), SEED, JOBS at once.
 # Writes doc/results/games.md. With OTHER="COMMAND", and PLAYERS of each side, only games against that team; prints their
 # table, or writes it into doc/results/games-peers.md if OTHER_NAME says what the team is called. SERVER=rcssserver3d plays them
-# on the league's server.
+# on the league's server, REALTIME=1 in real time.
+bench-games: SERVER := $(filter-out server,$(SERVER))
 bench-games: export OTHER := $(OTHER)
 bench-games: export OTHER_NAME := $(OTHER_NAME)
 bench-games:
 	@scripts/install_packages.sh scripts/packages-bench.txt
 	@scripts/build.sh SimRelease agent game simulator watchgame
-	@$(foreach v,GAMES HALF SEED BEFORE PLAYERS SERVER,$(if $($v),$v=$($v))) $(if $(OTHER),tests/bench/games/games.sh,scripts/run_bench.sh games)
+	@$(foreach v,GAMES HALF SEED BEFORE PLAYERS SERVER REALTIME,$(if $($v),$v=$($v))) $(if $(OTHER),tests/bench/games/games.sh,scripts/run_bench.sh games)
 	@$(if $(OTHER),$(if $(OTHER_NAME),scripts/make_results.sh games-peers),scripts/make_results.sh games)
 
 fuzz:

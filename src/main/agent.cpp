@@ -77,8 +77,9 @@ void declare(CommandLine& app, Options& options, Platform& platform) {
              "draw the module graph to FILE (.svg, .pdf, .png or .dot) and end; with --timing at the end of "
              "the run, with what each module cost");
   app.flag("--parameters", options.parameters, "print a page of all parameters of all modules and end");
-  app.option("--stats", options.stats,
-             "write cycles, late ones among them and CPU per cycle to FILE as JSON at the end");
+  app.option(
+      "--stats", options.stats,
+      "write cycles, CPU per cycle, and cycles late by the clock or by their CPU to FILE as JSON at the end");
   app.flag("--timing", options.timing, "print a table of the time each module took at the end");
   const CommandOption debug = app.option("--debug", options.debug->server.port,
                                          "open the debug port for bin/rdb; 0: a free one, which is printed")

@@ -12,8 +12,8 @@
 
 namespace plumbline::watch {
 
-/// Counts what happens in a game from the scenes a monitor gets: falls, kicks, passes and fouls of each team.
-/// Positions there are exact to 5 mm, so what is counted is what was to be seen, on any server.
+/// Counts what happens in a game from the scenes a monitor gets: falls, kicks, shots, passes and fouls of
+/// each team. Positions there are exact to 5 mm, so what is counted is what was to be seen, on any server.
 class GameCounter {
 public:
   /// The next scene, in their order.
@@ -33,6 +33,8 @@ public:
   }
   /// Free kicks that the other team got, because a player touched the ball twice at an own restart.
   int freeKicksAgainst(simspark::TeamSide side) const { return freeKicksAgainst_[index(side)]; }
+  /// What a shot is, BallTouches says.
+  int shots(simspark::TeamSide side) const { return touches_ ? touches_->shots(side) : 0; }
   /// Passes of a team, made and those that a mate gets; see BallTouches.
   int passesMade(simspark::TeamSide side) const { return touches_ ? touches_->passesMade(side) : 0; }
   int passesCompleted(simspark::TeamSide side) const {

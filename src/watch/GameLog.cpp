@@ -18,7 +18,8 @@ const char* const gameLogHeader =
     "date,server,left,right,seed,half_time_s,score_left,score_right,falls_left,falls_right,kicks_left,"
     "kicks_right,players_left,players_right,game_s,wall_s,end,touching_left,touching_right,charging_left,"
     "charging_right,illegal_defence_left,illegal_defence_right,free_kicks_against_left,"
-    "free_kicks_against_right,passes_left,passes_right,passes_completed_left,passes_completed_right";
+    "free_kicks_against_right,passes_left,passes_right,passes_completed_left,passes_completed_right,"
+    "shots_left,shots_right";
 
 namespace {
 
@@ -45,8 +46,9 @@ std::string gameLogLine(const GameLogEntry& entry, const GameResult& result) {
        {simspark::FoulKind::touching, simspark::FoulKind::charging, simspark::FoulKind::illegalDefence})
     line += fmt::format(",{},{}", counts.fouls(left, kind), counts.fouls(right, kind));
   line += fmt::format(",{},{}", counts.freeKicksAgainst(left), counts.freeKicksAgainst(right));
-  return line + fmt::format(",{},{},{},{}", counts.passesMade(left), counts.passesMade(right),
-                            counts.passesCompleted(left), counts.passesCompleted(right));
+  return line + fmt::format(",{},{},{},{},{},{}", counts.passesMade(left), counts.passesMade(right),
+                            counts.passesCompleted(left), counts.passesCompleted(right), counts.shots(left),
+                            counts.shots(right));
 }
 
 void appendGameLog(const std::string& file, const std::string& line) {

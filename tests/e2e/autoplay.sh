@@ -21,7 +21,7 @@ for run in 1 2; do
   nothingLeft "a game"
 done
 expectEqual "$(head -1 "$log")" \
-  "date,server,left,right,seed,half_time_s,score_left,score_right,falls_left,falls_right,kicks_left,kicks_right,players_left,players_right,game_s,wall_s,end,touching_left,touching_right,charging_left,charging_right,illegal_defence_left,illegal_defence_right,free_kicks_against_left,free_kicks_against_right,passes_left,passes_right,passes_completed_left,passes_completed_right" "header"
+  "date,server,left,right,seed,half_time_s,score_left,score_right,falls_left,falls_right,kicks_left,kicks_right,players_left,players_right,game_s,wall_s,end,touching_left,touching_right,charging_left,charging_right,illegal_defence_left,illegal_defence_right,free_kicks_against_left,free_kicks_against_right,passes_left,passes_right,passes_completed_left,passes_completed_right,shots_left,shots_right" "header"
 expectEqual "$(wc -l < "$log")" 3 "lines of games.log"
 for pair in server=simulator left=Red right=Blue seed=5 half_time_s=15 players_left=3 players_right=3 end=over; do
   expectEqual "$(column "$log" "${pair%%=*}")" "${pair#*=}" "column ${pair%%=*}"
@@ -29,6 +29,10 @@ done
 awk "BEGIN { exit !($(column "$log" game_s) >= 30 && $(column "$log" game_s) < 31) }" || fail "length of the game: $(column "$log" game_s) s"
 happened=$(($(column "$log" falls_left) + $(column "$log" falls_right) + $(column "$log" kicks_left) + $(column "$log" kicks_right) + $(column "$log" score_left) + $(column "$log" score_right)))
 ((happened > 0)) || fail "neither a kick nor a fall in 30 s of two teams of three"
+for side in left right; do
+  goals=$(column "$log" score_$side) shots=$(column "$log" shots_$side)
+  [[ $shots =~ ^[0-9]+$ ]] && ((shots >= goals)) || fail "$side: $goals goals of '$shots' shots"
+done
 expectEqual "$(sed -n 2p "$log" | cut -d, -f5-15)" "$(sed -n 3p "$log" | cut -d, -f5-15)" "the same seed again"
 cmp "$scratch/game1/track.csv" "$scratch/game2/track.csv" || fail "the same seed plays another game"
 

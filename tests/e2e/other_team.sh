@@ -32,6 +32,14 @@ for figure in team.goals team.shots other.possession other.falls; do
 done
 cut -d, -f17 "$scratch/games/games.log" | grep -cx over | grep -qx 2 || fail "games.log: $(cat "$scratch/games/games.log")"
 
+# Shots are those of games.log. A log without them, of before there were any, gives none.
+shotsOf() { awk -v played="$scratch/games/played" -f tests/bench/games/tracks.awk "$1" | cut -f1,9 | sort -u | tr '\t\n' ' ,'; }
+awk -F, -v OFS=, 'NR > 1 { for (i = 1; i <= NF; ++i) if (name[i] ~ /^shots_/) $i = (($3 == "Team") == (name[i] == "shots_left")) ? 7 : 4 }
+  { if (NR == 1) split($0, name, ","); print }' "$scratch/games/games.log" > "$scratch/shots.log"
+expectEqual "$(shotsOf "$scratch/shots.log")" "Other 4,Team 7," "shots of the table"
+sed 's/,[^,]*,[^,]*$//' "$scratch/games/games.log" > "$scratch/old.log"
+expectEqual "$(shotsOf "$scratch/old.log")" "Other -,Team -," "shots of an old log"
+
 # A player that ended before the game, and one that did not end: the table names both, with their exit status.
 sed -i '1s/^\(left\|right\)\t1\t0\t0/\1\t1\t139\t1/' "$scratch/games/played/1/players.tsv"
 sed -i '1s/^\(left\|right\)\t1\t0\t0/\1\t1\t-\t0/' "$scratch/games/played/2/players.tsv"
@@ -61,6 +69,21 @@ awk -v half=3 -v players=1 -v other="A team" -v server=rcssserver3d -v json="$sc
 grep -q "^## The team against A team, on the league's server$" "$scratch/league.md" || fail "heading: $(cat "$scratch/league.md")"
 grep -q "^Games of 2 x 3 s, 1 against 1 on the league's server (rcssserver3d), sides changed" "$scratch/league.md" || fail "table: $(cat "$scratch/league.md")"
 grep -q '"games.a_team_1_rcssserver3d.team.goals", ' "$scratch/league.json" || fail "figures: $(cat "$scratch/league.json")"
+
+# `make bench-games` names a server only if it is given one; it is another benchmark that has one of its own.
+server() { make -n bench-games "$@" | grep -o 'SERVER=[^ ]*' || true; }
+expectEqual "$(server)" "" "server of games without one"
+expectEqual "$(server SERVER=rcssserver3d)" "SERVER=rcssserver3d" "server of games with one"
+
+# In real time the table has the cycles that were late by the clock, too; a log of games in step has none.
+! grep -q "by the clock" "$scratch/games.md" || fail "late by the clock in step: $(cat "$scratch/games.md")"
+"${games[@]}" REALTIME=1 GAMES=1 PLAYERS=1 OUT="$scratch/paced" OTHER_NAME=Paced OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 || fail "real time: $(cat "$scratch/out")"
+paced=$scratch/games-peers/Paced-1-realtime
+grep -q "^## The team against Paced, in real time$" "$paced.md" || fail "heading: $(cat "$paced.md")"
+grep -q '^Games of 2 x 3 s, 1 against 1 on the embedded simulator in real time, ' "$paced.md" || fail "table: $(cat "$paced.md")"
+grep -q "^| late cycles of a player by the clock (answer more than 20 ms after the server's message) | [0-9.]* ± 0.00 | - |$" "$paced.md" || fail "late by the clock: $(cat "$paced.md")"
+grep -q '"games.paced_1_realtime.team.late_cycles_wall", ' "$paced.json" || fail "figures: $(cat "$paced.json")"
+rm "$paced".*
 
 # Named teams are together in one page.
 cp "$scratch/games-peers/A-plain-team-1.md" "$scratch/games-peers/Another-1.md"

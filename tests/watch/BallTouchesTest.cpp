@@ -24,8 +24,9 @@ Vec2 placeAt(const json& way, double time) {
   return {at(1), at(2)};
 }
 
-TEST(BallTouches, countWhatThePageCounts) {
-  std::ifstream file("tests/data/touches/passes.json");
+void countWhatThePageCounts(const std::string& name) {
+  SCOPED_TRACE(name);
+  std::ifstream file("tests/data/touches/" + name + ".json");
   const json game = json::parse(file);
   BallTouches touches(halfLength, halfGoal);
   for (int i = 0; i <= 10 * game["seconds"].get<int>(); ++i) {
@@ -37,12 +38,18 @@ TEST(BallTouches, countWhatThePageCounts) {
                                 placeAt(player["way"], moment.time)});
     touches.observe(moment);
   }
-  for (const auto& [name, side] : {std::pair("left", TeamSide::left), std::pair("right", TeamSide::right)}) {
-    const json& expected = game["expected"][name];
-    EXPECT_EQ(touches.touches(side), expected["touches"]) << name;
-    EXPECT_EQ(touches.passesMade(side), expected["made"]) << name;
-    EXPECT_EQ(touches.passesCompleted(side), expected["passes"]) << name;
+  for (const auto& [team, side] : {std::pair("left", TeamSide::left), std::pair("right", TeamSide::right)}) {
+    const json& expected = game["expected"][team];
+    EXPECT_EQ(touches.touches(side), expected["touches"]) << team;
+    EXPECT_EQ(touches.shots(side), expected["shots"]) << team;
+    EXPECT_EQ(touches.passesMade(side), expected["made"]) << team;
+    EXPECT_EQ(touches.passesCompleted(side), expected["passes"]) << team;
   }
+}
+
+TEST(BallTouches, countWhatThePageCounts) {
+  countWhatThePageCounts("passes");
+  countWhatThePageCounts("shots");
 }
 
 /// Two mates on a line; the ball rolls from the first to the second, who stops it or sends it on.
@@ -89,9 +96,10 @@ TEST_F(TwoMates, aShortWayIsNoPass) {
 }
 
 TEST_F(TwoMates, aShotIsNoPass) {
-  moment.ball = {8, 0};
-  pass({4, 0});
+  moment.ball = {11, 0};
+  pass({4.4, 0});
   EXPECT_EQ(touches.touches(TeamSide::left), 2);
+  EXPECT_EQ(touches.shots(TeamSide::left), 1);
   EXPECT_EQ(touches.passesMade(TeamSide::left), 0);
 }
 
@@ -109,6 +117,133 @@ TEST_F(TwoMates, aBallThatIsPutElsewhereWasNotTouched) {
   play(0.1, Vec2(80, 0));
   play(1, Vec2::Zero());
   EXPECT_EQ(touches.touches(TeamSide::left), 0);
+}
+
+/// A player of the left team at the ball, which rests 3 m before the middle of the right goal.
+class Shooter : public testing::Test {
+protected:
+  Shooter() { stand({12, 0}, {TeamSide::left, 2}); }
+  void stand(const Vec2& ball, const BallMoment::Player& player) {
+    moment.ball = ball;
+    moment.players = {{player.side, player.number, ball - Vec2(0.2, 0)}};
+    play(1, Vec2::Zero());
+  }
+  void play(double seconds, const Vec2& velocity) {
+    const int steps = static_cast<int>(std::lround(10 * seconds));
+    for (int i = 0; i < steps; ++i) {
+      touches.observe(moment);
+      moment.time += 0.1;
+      moment.ball += 0.1 * velocity;
+    }
+  }
+  void enter(const std::string& mode) {
+    moment.mode = mode;
+    play(0.5, Vec2::Zero());
+  }
+  /// Shots of left and right.
+  std::pair<int, int> shots() const {
+    return {touches.shots(TeamSide::left), touches.shots(TeamSide::right)};
+  }
+  BallMoment moment{.mode = "PlayOn"};
+  BallTouches touches{halfLength, halfGoal};
+};
+using Shots = std::pair<int, int>;
+
+TEST_F(Shooter, aFastBallToTheGoalIsAShotWhetherItGoesInOrNot) {
+  play(0.6, {4, 0});
+  EXPECT_EQ(shots(), Shots(1, 0));
+  enter("Goal_Left");
+  EXPECT_EQ(shots(), Shots(1, 0)) << "the goal is the same shot";
+}
+
+TEST_F(Shooter, aGoalIsAShotHoweverSlowTheBallWas) {
+  play(3, {1, 0});
+  EXPECT_EQ(shots(), Shots(0, 0));
+  enter("Goal_Left");
+  EXPECT_EQ(shots(), Shots(1, 0));
+  enter("KickOff_Right");
+  stand({0, 0}, {TeamSide::right, 5});
+  play(1, {0, 3});
+  EXPECT_EQ(touches.passesMade(TeamSide::left), 0) << "nor was it a pass to the kick-off";
+}
+
+TEST_F(Shooter, aTouchInTheMomentBeforeTheGoalIsTheShot) {
+  stand({14.9, 0}, {TeamSide::left, 2});
+  play(0.1, {1.2, 0});
+  enter("Goal_Left");
+  EXPECT_EQ(touches.touches(TeamSide::left), 1);
+  EXPECT_EQ(shots(), Shots(1, 0));
+}
+
+TEST_F(Shooter, aGoalOfABallThatNobodyIsKnownToHaveTouchedIsAShotOfTheTeam) {
+  moment.players.clear();
+  play(0.6, {4, 0});
+  enter("Goal_Left");
+  EXPECT_EQ(shots(), Shots(1, 0));
+}
+
+TEST_F(Shooter, aPassTowardsTheGoalThatStopsShortIsNone) {
+  stand({6, 0}, {TeamSide::left, 2});
+  play(1, {4, 0});
+  EXPECT_EQ(shots(), Shots(0, 0));
+  stand({8, 0}, {TeamSide::left, 3});
+  play(1, {4, 0});
+  EXPECT_EQ(shots(), Shots(1, 0));
+}
+
+TEST_F(Shooter, howFarFromAndBesideTheGoal) {
+  stand({2.9, 0}, {TeamSide::left, 2});
+  play(1, {8, 0});
+  EXPECT_EQ(shots(), Shots(0, 0)) << "from 12.1 m";
+  stand({12, 1.6}, {TeamSide::left, 3});
+  play(0.7, {4, 0});
+  EXPECT_EQ(shots(), Shots(0, 0)) << "0.55 m beside the goal";
+  stand({12, 1.5}, {TeamSide::left, 4});
+  play(0.7, {4, 0});
+  EXPECT_EQ(shots(), Shots(1, 0)) << "0.45 m beside the goal";
+}
+
+TEST_F(Shooter, anOwnGoalIsNone) {
+  stand({12, 0}, {TeamSide::right, 7});
+  play(0.7, {4, 0});
+  enter("Goal_Left");
+  EXPECT_EQ(touches.touches(TeamSide::right), 1);
+  EXPECT_EQ(shots(), Shots(0, 0));
+}
+
+TEST_F(Shooter, aShotThatIsDeflectedIntoTheGoalCountsOnceForWhoShot) {
+  moment.players.push_back({TeamSide::right, 1, {14, 0.2}});
+  play(0.5, {4, 0});
+  play(0.5, {2, 2});
+  enter("Goal_Left");
+  EXPECT_EQ(touches.touches(TeamSide::right), 1);
+  EXPECT_EQ(shots(), Shots(1, 0));
+}
+
+TEST_F(Shooter, whoFollowsTheBallDribbles) {
+  play(0.7, {2, 0});
+  EXPECT_EQ(shots(), Shots(1, 0));
+  stand({13.4, 0}, {TeamSide::left, 2});
+  play(0.3, {3, 0});
+  EXPECT_EQ(shots(), Shots(1, 0)) << "the second touch alone";
+  EXPECT_EQ(touches.touches(TeamSide::left), 2);
+}
+
+TEST_F(Shooter, aKickAtWhoseEndAnOpponentIsNearerIsOneTouch) {
+  moment.players.push_back({TeamSide::right, 1, {12.3, 0}});
+  play(0.1, {1.4, 0.4});
+  play(0.4, {6.7, 1.6});
+  enter("Goal_Left");
+  EXPECT_EQ(touches.touches(TeamSide::left), 1);
+  EXPECT_EQ(touches.touches(TeamSide::right), 0);
+  EXPECT_EQ(shots(), Shots(1, 0));
+}
+
+TEST_F(Shooter, anOpponentWhoSendsTheBallBackHasATouch) {
+  moment.players.push_back({TeamSide::right, 1, {12.3, 0}});
+  play(0.1, {1.4, 0.4});
+  play(0.4, {-6.7, 1.6});
+  EXPECT_EQ(touches.touches(TeamSide::right), 1);
 }
 
 }  // namespace

@@ -146,8 +146,22 @@ TEST_F(Game, aFreeKickIsAgainstTheOtherTeam) {
   EXPECT_EQ(counter.freeKicksAgainst(TeamSide::right), 0);
 }
 
+TEST_F(Game, aShotIsInTheLog) {
+  scene.robots = {robot(TeamSide::left, 1, {11.8, 0}), robot(TeamSide::right, 2, {-5, 0})};
+  scene.ball = Vec3(12, 0, 0.042);
+  for (int i = 0; i < 5; ++i) step();
+  for (int i = 0; i < 5; ++i) step({4, 0});
+  EXPECT_EQ(counter.shots(TeamSide::left), 1);
+  EXPECT_EQ(counter.shots(TeamSide::right), 0);
+  GameResult result;
+  result.counts = counter;
+  const std::string line = gameLogLine({}, result);
+  EXPECT_EQ(line.substr(line.size() - 4), ",1,0") << line;
+  EXPECT_TRUE(std::string(gameLogHeader).ends_with(",shots_left,shots_right"));
+}
+
 TEST(GameLog, aLine) {
-  const std::string nothingElse = ",0,0,0,0,0,0,0,0,0,0,0,0";
+  const std::string nothingElse = ",0,0,0,0,0,0,0,0,0,0,0,0,0,0";
   GameResult result;
   result.teamLeft = "Red,\"one\"";
   result.scoreLeft = 2;

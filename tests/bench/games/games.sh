@@ -9,10 +9,11 @@
 # side: {host}, {agent}, {monitor}, {team} and {players} in it are replaced. A script without them gets the host
 # alone. With OTHER_NAME as well, what that team is called, the table goes into games-peers/ beside OUT and with those of
 # other teams into games-peers.md there, of which make_results.sh makes doc/results/games-peers.md. SERVER=rcssserver3d plays
-# them on the league's server, as scripts/autoplay/startGame.sh finds it, instead of the embedded simulator.
+# them on the league's server, as scripts/autoplay/startGame.sh finds it, instead of the embedded simulator. REALTIME=1 plays games
+# at the pace of the clock; the tables then also have the cycles of our players that were late by it. JOBS=1 is wise then.
 set -euo pipefail
 cd "$(dirname "${BASH_SOURCE[0]}")/../../.."
-games=${GAMES:-10} half=${HALF:-300} seed=${SEED:-1} jobs=${JOBS:-$(nproc)} players=${PLAYERS:-11} server=${SERVER:-simulator} out=${OUT:-build/bench/games}
+games=${GAMES:-10} half=${HALF:-300} seed=${SEED:-1} jobs=${JOBS:-$(nproc)} players=${PLAYERS:-11} server=${SERVER:-simulator} realtime=${REALTIME:+--realtime} out=${OUT:-build/bench/games}
 for value in "$games" "$half" "$seed" "$jobs"; do
   [[ $value =~ ^[1-9][0-9]{0,5}$ ]] || { echo "games.sh: '$value' is no whole number from 1 to 999999" >&2; exit 2; }
 done
@@ -46,9 +47,9 @@ trap 'passOn 143' TERM HUP
 # Games against the teams of $work/opponents as lines of games.tsv.
 play() { # $1: how our team is started
   autoplay runOppList.sh --games "$games" --half-time "$half" --seed "$seed" --jobs "$jobs" --name Team --log "$work/games.log" \
-    --players $((2 * players)) --server "$server" --output "$work/played" "$1" "$work/opponents"
+    --players $((2 * players)) --server "$server" ${realtime:+--realtime} --output "$work/played" "$1" "$work/opponents"
   tests/bench/games/players.sh "$work/played"/*/
-  awk -v played="$work/played" -f tests/bench/games/tracks.awk "$work/games.log" > "$work/games.tsv"
+  awk -v played="$work/played" -v realtime="$realtime" -f tests/bench/games/tracks.awk "$work/games.log" > "$work/games.tsv"
 }
 
 if [[ ${OTHER-} ]]; then
@@ -62,12 +63,13 @@ if [[ ${OTHER-} ]]; then
   echo "$games games of 2 x $half s against OTHER, $players on each side, seeds from $seed, $jobs at once, server $server"
   echo "Other $other" > "$work/opponents"
   play "bin/start.sh --players $players"
-  awk -v half="$half" -v players="$players" -v other="${OTHER_NAME-}" -v server="$server" -v played="$(date -u +%F)" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
+  awk -v half="$half" -v players="$players" -v other="${OTHER_NAME-}" -v server="$server" -v realtime="$realtime" -v played="$(date -u +%F)" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
   cat "$out.md"
   [[ ${OTHER_NAME-} ]] || exit 0
   peers=${out%/*}/games-peers
   piece=$peers/$(tr -cs 'A-Za-z0-9\n' - <<< "$OTHER_NAME")-$players
   [[ $server == simulator ]] || piece+=-$server
+  [[ ! $realtime ]] || piece+=-realtime
   mkdir -p "$peers"
   mv "$out.md" "$piece.md"
   mv "$out.json" "$piece.json"
@@ -85,7 +87,7 @@ if [[ ${BEFORE-} ]]; then
   echo "Before $before/bin/start.sh --config $before/config --port {agent} --monitor {monitor} {host}" >> "$work/opponents"
 fi
 play bin/start.sh
-awk -v half="$half" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
+awk -v half="$half" -v realtime="$realtime" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
 { cat build/bench/starts.md && cat "$out.md"; } > "$work/games.md"
 mv "$work/games.md" "$out.md"
 { sed '$d' "$out.json" | sed '$s/$/,/' && sed 1d build/bench/starts.json; } > "$work/games.json"

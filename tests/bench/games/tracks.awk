@@ -1,12 +1,12 @@
 # Reads games.log. Of each game that is over a line for each team. In it: name, goals for, against, falls, kicks.
 # Then: robots within 1.5 m of the ball, pairs of mates nearer than 0.4 m per robot and minute, how far the ball is in the other half [m].
 # Then: shots, possession [%], touching, charging, illegal defence, free kicks against, passes, completed ones.
-# Then: players that ended before the game or with an error, late cycles of a player, its CPU per cycle (mean, 99th percentile [us]).
-# Last: seed, and who ended so. A dash: nothing is
-# known. Of a team that is not ours, those players have ended that are missing in the last scene. A shot: within half a second a
-# ball at a robot goes at least 1 m, and on towards the goal of the other team, 0.5 m beside it at most. Possession: of the scenes
-# with a robot within 1 m of the ball, those where the nearest one is of the team. The tracks are played/N/track.csv in the order of
-# the seeds; players.sh has written players.tsv beside them. Variables: played.
+# Then: players that ended before the game or with an error, late cycles of a player, its CPU per cycle (mean, 99th percentile [us]),
+# cycles late by the clock. These in real time alone: in step all wait for each other, and that says how busy the machine was.
+# Last: seed, and who ended so. A dash: nothing is known. Of a team that is not ours, those players have ended that are missing in
+# the last scene. What happened comes from games.log (doc/how-to/play-games.md), a dash where it is too old for that. Possession: of
+# the scenes with a robot within 1 m of the ball, those where the nearest one is of the team. The tracks are played/N/track.csv in
+# the order of the seeds; players.sh has written players.tsv there. Variables: played, realtime.
 BEGIN { FS = ","; OFS = "\t" }
 $1 == "date" { for (i = 1; i <= NF; ++i) column[$i] = i; next }
 $column["end"] != "over" { next }
@@ -19,7 +19,6 @@ $column["end"] != "over" { next }
 function flush(   side, i, j, n, d, least) {
   if (!hasBall) return
   ++scenes
-  shot()
   nearest = ""
   least = 1
   here["left"] = count["left"] + 0; here["right"] = count["right"] + 0
@@ -35,29 +34,16 @@ function flush(   side, i, j, n, d, least) {
     }
   }
   if (nearest != "") ++first_[nearest]
-  lastX = ballX; lastY = ballY
   hasBall = 0
   delete count
 }
-# Whether the ball has begun to go to a goal, since the scene before, from the robot that was nearest to it there.
-function shot(   dx, dy, sign, y, fast) {
-  dx = ballX - lastX; dy = ballY - lastY
-  fast = scenes > 1 && sqrt(dx ^ 2 + dy ^ 2) >= 1 && sqrt(dx ^ 2 + dy ^ 2) < 8
-  if (fast && !wasFast && nearest != "" && mode !~ /KickOff/) {
-    sign = nearest == "left" ? 1 : -1
-    y = sign * dx > 0 ? lastY + dy / dx * (sign * 15 - lastX) : 99
-    if (y > -1.55 && y < 1.55) ++shots[nearest]
-  }
-  wasFast = fast
-}
 function track(file,   f, n) {
-  delete near; delete close_; delete robots; delete count; delete shots; delete first_; delete most; delete here
-  scenes = hasBall = sumX = wasFast = 0
-  nearest = ""
+  delete near; delete close_; delete robots; delete count; delete first_; delete most; delete here
+  scenes = hasBall = sumX = 0
   while ((getline line < file) > 0) {
     n = split(line, f, ",")
     if (n < 7 || f[1] == "time") continue
-    if (f[2] == "ball") { flush(); hasBall = 1; ballX = f[4]; ballY = f[5]; mode = f[7]; sumX += ballX; ++balls; continue }
+    if (f[2] == "ball") { flush(); hasBall = 1; ballX = f[4]; ballY = f[5]; sumX += ballX; ++balls; continue }
     ++count[f[2]]; x[f[2], count[f[2]]] = f[4]; y[f[2], count[f[2]]] = f[5]
   }
   close(file)
@@ -65,7 +51,7 @@ function track(file,   f, n) {
 }
 # What the players of the game cost and how they ended.
 function players(file,   f, side) {
-  delete known; delete crashes; delete late; delete cpu; delete highest; delete measured; delete who
+  delete known; delete crashes; delete late; delete cpu; delete highest; delete lateByClock; delete measured; delete who
   while ((getline line < file) > 0) {
     split(line, f, "\t")
     side = f[1]
@@ -74,7 +60,7 @@ function players(file,   f, side) {
     if (f[4] || (f[3] != "0" && f[3] != "1" && f[3] != "143")) { ++crashes[side]; who[side] = who[side] " " f[2] "(" f[3] ")" }
     if (f[5] == "-") continue
     ++measured[side]
-    late[side] += f[5]; cpu[side] += f[6]; highest[side] += f[7]
+    late[side] += f[5]; cpu[side] += f[6]; highest[side] += f[7]; lateByClock[side] += f[8]
   }
   close(file)
 }
@@ -82,11 +68,11 @@ function ofPlayers(sum, side) { return measured[side] ? sum[side] / measured[sid
 function report(side, other, sign,   minutes) {
   minutes = robots[side] * 0.5 / 60
   print v[column[side]], v[column["score_" side]], v[column["score_" other]], v[column["falls_" side]], v[column["kicks_" side]], \
-    near[side] / scenes, close_[side] / minutes, sign * sumX / scenes, shots[side] + 0, \
+    near[side] / scenes, close_[side] / minutes, sign * sumX / scenes, (("shots_" side) in column ? v[column["shots_" side]] : "-"), \
     100 * first_[side] / (first_["left"] + first_["right"] + 1e-9), \
     v[column["touching_" side]], v[column["charging_" side]], v[column["illegal_defence_" side]], v[column["free_kicks_against_" side]], \
     v[column["passes_" side]], v[column["passes_completed_" side]], known[side] ? crashes[side] + 0 : most[side] - here[side], ofPlayers(late, side), \
-    ofPlayers(cpu, side), ofPlayers(highest, side), v[column["seed"]], who[side]
+    ofPlayers(cpu, side), ofPlayers(highest, side), (realtime ? ofPlayers(lateByClock, side) : "-"), v[column["seed"]], who[side]
 }
 END {
   for (s = first; s <= last; ++s) {

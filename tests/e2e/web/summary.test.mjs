@@ -35,8 +35,8 @@ test('a ball that a player sends to a mate is a pass', () => {
   assert.equal(figures.right.touches, 0);
 });
 
-test('touches and passes are those that C++ counts', () => {
-  const { field, seconds, states, ball, players, expected } = JSON.parse(readFileSync(new URL('../../data/touches/passes.json', import.meta.url)));
+for (const file of ['passes', 'shots']) test(`touches, shots and passes are those that C++ counts: ${file}`, () => {
+  const { field, seconds, states, ball, players, expected } = JSON.parse(readFileSync(new URL(`../../data/touches/${file}.json`, import.meta.url)));
   const placeAt = (way, t) => {
     const i = Math.max(1, way.findIndex(([end]) => end >= t)), [a, ax, ay] = way[i - 1], [b, bx, by] = way[i], part = (t - a) / (b - a);
     return [ax + part * (bx - ax), ay + part * (by - ay)];
@@ -44,8 +44,8 @@ test('touches and passes are those that C++ counts', () => {
   const game = play(seconds, (t) => ({ ball: placeAt(ball, t), players: players.map(({ side, unum, way }) => [side, unum, ...placeAt(way, t)]) }));
   const { figures } = analyse({ ...game, field, states });
   for (const side of ['left', 'right']) {
-    const { touches, made, passes } = figures[side];
-    assert.deepEqual({ touches, made, passes }, expected[side], side);
+    const { touches, shots, made, passes } = figures[side];
+    assert.deepEqual({ touches, shots, made, passes }, expected[side], side);
   }
 });
 
@@ -64,11 +64,37 @@ test('a shot goes towards the goal, fast and from near', () => {
   assert.deepEqual(shoot(1.5, 8, 4), ['shot left']);
   assert.deepEqual(shoot(4, 8, 4), []);
   assert.deepEqual(shoot(0, -8, 4), []);
-  assert.deepEqual(shoot(0, 8, 1.2), []);
+  assert.deepEqual(shoot(0, 13, 1.4), []);
+  assert.deepEqual(shoot(0, 2.9, 7), []);
+});
+
+test('a ball that stops short of the goal is no shot', () => {
+  const send = (speed) => kinds(analyse(play(3, (t) => ({ ball: [rolls(t, 1, 9, speed), 0], players: [['left', 2, 8.8, 0]] }))));
+  assert.deepEqual(send(2.9), []);
+  assert.deepEqual(send(3.1), ['shot left']);
+});
+
+test('who dribbles shoots once', () => {
+  const push = (way) => kinds(analyse(play(5, (t) => ({
+    ball: [t < 3 ? Math.min(rolls(t, 1, 12, 2), 12 + way) : rolls(t, 3, 12 + way, 4), 0],
+    players: [['left', 2, t < 2 ? 11.8 : 11.8 + way, 0]],
+  }))));
+  assert.deepEqual(push(1.4), ['shot left']);
+  assert.deepEqual(push(1.6), ['shot left', 'shot left']);
+});
+
+test('a goal is a shot of who touched the ball last', () => {
+  const states = [{ t: 0, mode: 'PlayOn', left: 0, right: 0 }, { t: 3, mode: 'Goal_Left', left: 1, right: 0 }];
+  const score = (side, speed) => analyse({ ...play(4, (t) => ({ ball: [Math.min(rolls(t, 1, 13, speed), 15), 0], players: [[side, 2, 12.8, 0]] })), states });
+  assert.deepEqual(kinds(score('left', 1)), ['shot left', 'goal left']);
+  assert.deepEqual(kinds(score('left', 3)), ['shot left', 'goal left']);
+  assert.deepEqual(kinds(score('right', 3)), ['goal left']);
+  const nobody = score('left', 0.5).events.filter(({ kind }) => kind === 'shot');
+  assert.deepEqual(nobody.map(({ side, who, t, x }) => [side, who, t, x]), [['left', undefined, 3, 14]]);
 });
 
 test('the right team shoots at the other goal', () => {
-  assert.deepEqual(kinds(analyse(play(3, (t) => ({ ball: [-8 - 3 * Math.max(0, t - 1), 0], players: [['right', 2, -7.8, 0]] })))), ['shot right']);
+  assert.deepEqual(kinds(analyse(play(3, (t) => ({ ball: [-8 - 4 * Math.max(0, t - 1), 0], players: [['right', 2, -7.8, 0]] })))), ['shot right']);
 });
 
 test('a fall counts once, and a stumble not', () => {
@@ -81,7 +107,7 @@ test('a fall counts once, and a stumble not', () => {
 test('goals are changes of the score', () => {
   const game = play(6, () => ({ ball: [0, 0], players: [['left', 1, -14, 0]] }), [
     { t: 2, mode: 'Goal_Left', left: 1, right: 0 }, { t: 4, mode: 'PlayOn', left: 1, right: 0 }, { t: 5, mode: 'Goal_Right', left: 1, right: 1 }]);
-  assert.deepEqual(analyse(game).events.map(({ kind, side, score }) => [kind, side, score]), [['goal', 'left', [1, 0]], ['goal', 'right', [1, 1]]]);
+  assert.deepEqual(analyse(game).events.filter(({ kind }) => kind === 'goal').map(({ kind, side, score }) => [kind, side, score]), [['goal', 'left', [1, 0]], ['goal', 'right', [1, 1]]]);
 });
 
 test('what is done while the game rests does not count, and a ball that is put somewhere was not kicked', () => {

@@ -1,6 +1,6 @@
 // What happened in a game, from places alone. Times are those of the recording [s], places centimetres in the file and
 // metres here. A player is an index into game.robots.
-const touchGain = 0.8, touchReach = 0.5, shotSpeed = 1.5, shotReach = 12, besideGoal = 0.5, passWay = 1.5; // [m/s, m]
+const touchGain = 0.8, touchReach = 0.5, shotSpeed = 1.5, shotReach = 12, besideGoal = 0.5, shotSeconds = 2, passWay = 1.5; // [m/s, m, s]
 const turned = Math.cos(Math.PI / 5), moving = 0.5, possessionReach = 1.5, fallSeconds = 0.5, touchPause = 0.4; // [s, m]
 
 // Places of moment i, or null.
@@ -22,16 +22,22 @@ function playsAt(game) {
   });
 }
 
-// In which course of play each moment is: a restart begins another one, so no pass goes over it.
-function coursesAt(game) {
-  let state = -1, course = 0;
-  return game.times.map((time) => {
-    while (state + 1 < game.states.length && game.states[state + 1].t <= time) {
-      ++state;
-      const mode = game.states[state].mode;
-      if (mode !== game.states[state - 1]?.mode && !/^(PlayOn|pass)/.test(mode)) ++course;
-    }
+// In which course of play each state is: a restart begins another one, so no pass goes over it.
+function coursesOf(states) {
+  let course = 0;
+  return states.map(({ mode }, i) => {
+    if (mode !== states[i - 1]?.mode && !/^(PlayOn|pass)/.test(mode)) ++course;
     return course;
+  });
+}
+
+// The same of each moment.
+function coursesAt(game) {
+  const courses = coursesOf(game.states);
+  let state = -1;
+  return game.times.map((time) => {
+    while (state + 1 < game.states.length && game.states[state + 1].t <= time) ++state;
+    return courses[state] ?? 0;
   });
 }
 
@@ -100,7 +106,9 @@ function touches(game, plays) {
     const [who, d] = nearest(game, i);
     if (who < 0 || d > touchReach) continue;
     const last = found.at(-1);
-    if (last && last.who === who && game.clock[i] - last.clock < touchPause) {
+    // Another player may be nearer to the ball at the end of a kick.
+    const goesOn = last && (last.who === who || last.v.x * after.x + last.v.y * after.y >= turned * last.speed * is);
+    if (goesOn && game.clock[i] - last.clock < touchPause) {
       if (is > last.speed) Object.assign(last, { speed: is, v: after });
       continue;
     }
@@ -112,16 +120,33 @@ function touches(game, plays) {
 // Whether a ball that rolls so comes to the goal the side plays at, or near beside it.
 function towardsGoal({ x, y, v, speed, side }, field) {
   const goal = (side === 'left' ? 1 : -1) * field.length / 2, way = (goal - x) / v.x;
-  if (speed < shotSpeed || !(way > 0) || Math.abs(goal - x) > shotReach) return false;
+  if (speed < shotSpeed || !(way > 0 && way < shotSeconds) || Math.abs(goal - x) > shotReach) return false;
   return Math.abs(y + way * v.y) < field.goalWidth / 2 + besideGoal;
 }
 
+// The shots, as src/watch/BallTouches.h says what one is: touches, and goals before which nobody is known to have touched the ball.
+function shotsOf(game, found) {
+  const shots = new Set(found.filter((touch, i) => {
+    const next = found[i + 1];
+    const dribbled = next && next.who === touch.who && next.course === touch.course && distance(touch, next) < passWay;
+    return !dribbled && towardsGoal(touch, game.field);
+  }));
+  const courses = coursesOf(game.states);
+  game.states.forEach(({ t, mode }, i) => {
+    const side = { Goal_Left: 'left', Goal_Right: 'right' }[mode];
+    if (!side || i === 0 || mode === game.states[i - 1].mode) return;
+    const last = found.findLast((touch) => touch.t < t);
+    if (last?.course !== courses[i - 1]) shots.add({ ...ballAt(game, Math.max(0, game.times.findLastIndex((time) => time <= t))), t, side });
+    else if (last.side === side) shots.add(last);
+  });
+  return shots;
+}
+
 function passesAndShots(game, found) {
-  const events = [];
+  const shots = shotsOf(game, found), events = [...shots].map((shot) => ({ ...shot, kind: 'shot' }));
   found.forEach((touch, i) => {
     const next = found[i + 1];
-    if (towardsGoal(touch, game.field)) events.push({ ...touch, kind: 'shot' });
-    else if (next && next.who !== touch.who && distance(touch, next) >= passWay) {
+    if (!shots.has(touch) && next && next.who !== touch.who && distance(touch, next) >= passWay) {
       const completed = next.side === touch.side && next.course === touch.course;
       events.push({ ...touch, kind: completed ? 'pass' : 'lost pass', to: { x: next.x, y: next.y, who: next.who } });
     }
@@ -129,7 +154,7 @@ function passesAndShots(game, found) {
   return events;
 }
 
-// Of the lost passes the page shows the number alone. src/watch/BallTouches.h counts touches and passes in the same way.
+// Of the lost passes the page shows the number alone. src/watch/BallTouches.h counts touches, shots and passes in the same way.
 // Everything of a game: events by time, and figures by side.
 function analyse(game) {
   const plays = playsAt(game), found = touches(game, plays);

@@ -123,7 +123,9 @@ function drawEvents(canvas, game, events, kind) {
     c.strokeStyle = colours[event.side];
     const goal = (event.side === 'left' ? 1 : -1) * game.field.length / 2;
     if (kind === 'pass') arrow(c, event.x, event.y, event.to.x, event.to.y, pixel);
-    if (kind === 'shot') arrow(c, event.x, event.y, goal, event.y + ((goal - event.x) / event.v.x) * event.v.y, pixel);
+    // Of a goal, the ball may have taken another way than it first went, or nobody is known to have sent it.
+    const way = event.v ? (goal - event.x) / event.v.x : 0;
+    if (kind === 'shot' && way > 0 && Number.isFinite(way)) arrow(c, event.x, event.y, goal, event.y + way * event.v.y, pixel);
     dot(c, event.x, event.y, 3.5 * pixel, colours[event.side]);
   }
 }
