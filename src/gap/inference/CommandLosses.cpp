@@ -108,8 +108,8 @@ CommandLosses decodeLostCommands(const std::vector<Trial>& sent, const Groups& g
   return lost;
 }
 
-void recoveryOf(CommandLosses& lost, const std::vector<Trial>& sent, const Groups& groups,
-                const Explanation& causes, int jobs) {
+void measureRecovery(CommandLosses& lost, const std::vector<Trial>& sent, const Groups& groups,
+                     const Explanation& causes, int jobs) {
   constexpr std::uint64_t seed = 1;
   const double share = lost.share();
   std::vector<Trial> simulated = sent;

@@ -16,7 +16,7 @@ struct CommandLosses {
   std::vector<std::size_t> found;                 ///< per trial: those of them that were lost
   /// Gain of log density over commands that all came, less the price of the cycles and of the cause.
   double evidence = 0;
-  /// How many are found for each that was lost, and how many were found to learn that (recoveryOf).
+  /// How many are found for each that was lost, and how many were found to learn that (measureRecovery).
   double recovered = 1;
   std::size_t foundInSimulation = 0;
 
@@ -44,8 +44,8 @@ CommandLosses decodeLostCommands(const std::vector<Trial>& sent, const Groups& g
 /// Sets recovered by a simulation: these recordings with other cycles lost, as large a share, and with the
 /// readings' noise, are decoded in the same way. Two losses that follow each other closely may be found as
 /// one; on a weak servo a quarter of them is. groups: of the trials that know what they lost.
-void recoveryOf(CommandLosses& lost, const std::vector<Trial>& sent, const Groups& groups,
-                const Explanation& causes, int jobs);
+void measureRecovery(CommandLosses& lost, const std::vector<Trial>& sent, const Groups& groups,
+                     const Explanation& causes, int jobs);
 
 /// Trials that know which commands they lost.
 std::vector<Trial> withLost(std::vector<Trial> trials, const CommandLosses& lost);

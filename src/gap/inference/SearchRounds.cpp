@@ -93,7 +93,8 @@ void SearchRounds::run(StoredParts& parts) {
     rounds_.back()->search.findFirst(parts);
   }
   rounds_.back()->search.finish(parts);
-  if (lost_.any()) recoveryOf(lost_, sent().trials(), last().groups, last().search.causes(), options_.jobs);
+  if (lost_.any())
+    measureRecovery(lost_, sent().trials(), last().groups, last().search.causes(), options_.jobs);
 }
 
 }  // namespace plumbline::gap

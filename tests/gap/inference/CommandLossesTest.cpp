@@ -50,7 +50,7 @@ TEST_F(CommandLossesTest, ofAServoThatShowsLossesAtOnceNearlyAllAreFound) {
   const std::vector<Trial> sent = repeats(0.1);
   CommandLosses lost = decodeLostCommands(sent, Groups(sent), {}, 1);
   const std::vector<Trial> known = withLost(sent, lost);
-  recoveryOf(lost, sent, Groups(known, predictionsOf(known, {}, 1)), {}, 1);
+  measureRecovery(lost, sent, Groups(known, predictionsOf(known, {}, 1)), {}, 1);
   EXPECT_NEAR(lost.recovered, 1, 0.15);
   EXPECT_GT(lost.foundInSimulation, 50U);
 }
