@@ -32,7 +32,7 @@ NINJA_STATUS='[%f/%t] ' ninja "${options[@]}" "${@:-all}" 2>&1 | "${awk[@]}" -v 
     while ((at = index(text, root)) > 0) text = substr(text, 1, at - 1) substr(text, at + length(root))
     return text
   }
-  /^ninja: Entering directory/ || /^\[[0-9]+\/[0-9]+\] (Re-checking|Re-running)/ || /^-- / { next }
+  /^ninja: Entering directory/ || /^\[[0-9]+\/[0-9]+\] (Re-checking|Re-running)/ || /^(\033\[[0-9;]*m)?-- / { next }
   /^ninja: no work to do/ { print "Nothing to be done for " target "."; next }
   /^ninja: build stopped/ { next }
   /^FAILED: / { getline; next } # and the command; V=1 shows it

@@ -5,6 +5,7 @@
 # situation, and a robot that walks. Each has to be there then. ccache serves all that the tree was built from; without it the
 # test fails. Without PLUMBLINE_SLOW only the agent is built: module, representation, behaviour, skill, motion and platform.
 source "$(dirname "$0")/../e2e/assert.bash"
+source tests/build/blocks.bash
 if ! command -v ccache > /dev/null || [[ ${CCACHE-yes} == "" ]]; then
   echo "extend.sh: there is no ccache, and without it all of src/ would be compiled once more: install ccache, or do not set CCACHE empty" >&2
   exit 1
@@ -14,20 +15,7 @@ root=$PWD tree=$scratch/tree ours=$scratch/ours config=$scratch/config
 mkdir -p "$tree/bin" "$ours"
 cp -r configure.sh Makefile CMakeLists.txt CMakePresets.json cmake scripts src utils config "$tree/"
 
-# A page's blocks of C++, each into the file that was named last before it, tests aside.
-takeBlocks() {
-  awk -v to="$ours" '
-    !inside { line = $0; while (match(line, /`(src|tests)\/[A-Za-z0-9_\/]+\.(h|cpp)`/)) {
-        file = substr(line, RSTART + 1, RLENGTH - 2); line = substr(line, RSTART + RLENGTH) } }
-    /^```cpp$/ { inside = 1; if (file == "") { print FILENAME ":" FNR ": a block without a file" > "/dev/stderr"; exit 1 }
-      out = file ~ /^src\// ? to substr(file, 4) : "/dev/null"; folder = out; sub(/\/[^\/]*$/, "", folder)
-      if (system("mkdir -p \"" folder "\"")) exit 1
-      next }
-    /^```$/ && inside { inside = 0; close(out); file = ""; next }
-    inside { print > out }' "$1"
-}
-for page in module behaviour platform rule kind-of-situation; do takeBlocks "doc/how-to/add-a-$page.md"; done
-for page in effect engine optimiser; do takeBlocks "doc/how-to/add-an-$page.md"; done
+for page in "${extendedPages[@]}"; do takeBlocks "$page" "$ours"; done
 expectEqual "$(cd "$ours" && find . -name '*.cpp' | wc -l)" 12 "sources in the pages"
 awk '/^```text$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-platform.md > "$scratch/still.cfg"
 awk '/^```json$/ { inside = 1; next } /^```$/ { inside = 0 } inside' doc/how-to/add-a-robot.md > "$scratch/arm.json"

@@ -94,6 +94,11 @@ builds SimRelease-test-math
 expect "added test" "$(compiled)" "tests/math/OneTest.cpp"
 expect "CTest knows the tests" "$(ctest --test-dir build/SimRelease/cmake 2>&1 | grep '^100%')" "100% tests passed, 0 tests failed out of 1"
 
+# In a terminal, where CMake writes in colours, its own lines are left out as well.
+touch tests/script.txt
+log=$(TERM=xterm script -qec "make SimRelease" /dev/null < /dev/null 2>&1 | tr -d '\r')
+expect "a terminal shows none of CMake's lines" "$log" "Nothing to be done for SimRelease."
+
 builds clean
 missing build
 missing bin/agent

@@ -20,7 +20,7 @@ secret=$(sed -n 's/.*effect: "\([a-z_]*\)", at: "\([^"]*\)".*/\1 \2/p' "$scratch
 expectEqual "$secret" "load_friction Elbow" "the secret"
 answer=$(node -e 'const a = JSON.parse(require("fs").readFileSync(process.argv[1])); console.log(a.verdict, a.effects[0].effect, a.effects[0].at, a.effects[0].probability > 0.8, a.gap.closed > 0.9)' "$scratch/answer.json")
 expectEqual "$answer" "effect $secret true true" "the answer"
-timeout 900 node tests/e2e/gap/report.mjs "$scratch/report.html" "friction" build/e2e/gap-report.png ||
+timeout 900 node tests/e2e/gap/report.mjs "$scratch/report.html" "friction of Elbow grows with the load that the gear transmits" build/e2e/gap-report.png ||
   fail "the report in the browser; see above"
 
 # Of long runs segments are looked at; they stand in the report like runs.

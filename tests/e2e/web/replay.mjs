@@ -1,6 +1,7 @@
 // A recorded match on the page: it plays, stops, and shows any time of it.
 import { Browser } from './browser.mjs';
 import { check, giveUp, near, until } from './check.mjs';
+import { clocks } from './layout.mjs';
 
 const browser = await Browser.open(`${process.argv[2]}?quality=low&fps=4`, { width: 960, height: 600 });
 const state = () => browser.run('window.plumbline?.state()');
@@ -29,6 +30,9 @@ try {
   await browser.click('#replayPlay');
   await until('it plays again', async () => (await state()).replay.playing);
   check(await browser.run("document.getElementById('trainer').hidden"), 'a recording takes no trainer commands');
+  const shown = await clocks(browser);
+  check(Object.keys(shown).join() === 'clock,replayClock' && /^\d+:\d\d\.\d$/.test(shown.clock) && shown.replayClock.startsWith('recording '),
+    `the clock of the match, and one that says that it is the recording's: ${JSON.stringify(shown)}`);
   check(browser.problems.length === 0, `no errors on the page: ${browser.problems.join('; ')}`);
   await browser.close();
 } catch (error) {
