@@ -91,6 +91,8 @@ struct PageServer::Implementation {
   void receive(Session& session, lws* wsi, std::string_view bytes);
   /// Sends at most one message; whatever is waiting comes when the page has taken it.
   bool sendNext(Session& session, lws* wsi);
+  /// Closes silent connections where there are too many.
+  void makeRoom();
   /// Of every connection: when it comes, asks for something, goes.
   void follow(lws* wsi, lws_callback_reasons reason);
   int serve(lws* wsi, lws_callback_reasons reason, void* user, void* bytes, std::size_t size);
@@ -204,11 +206,15 @@ bool PageServer::Implementation::sendNext(Session& session, lws* wsi) {
   return true;
 }
 
+void PageServer::Implementation::makeRoom() {
+  while (lws* silent = visitors.toClose(hasSent))
+    lws_set_timeout(silent, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_ASYNC);
+}
+
 void PageServer::Implementation::follow(lws* wsi, lws_callback_reasons reason) {
   if (reason == LWS_CALLBACK_SERVER_NEW_CLIENT_INSTANTIATED) {
     visitors.add(wsi);
-    if (lws* silent = visitors.toClose(hasSent))
-      lws_set_timeout(silent, PENDING_TIMEOUT_CLOSE_SEND, LWS_TO_KILL_ASYNC);
+    makeRoom();
   } else if (reason == LWS_CALLBACK_FILTER_HTTP_CONNECTION ||
              reason == LWS_CALLBACK_FILTER_PROTOCOL_CONNECTION) {
     visitors.asked(wsi);
@@ -275,8 +281,8 @@ PageServer::~PageServer() { stop(); }
 
 void PageServer::start() {
   implementation_->thread = std::thread([self = implementation_.get()] {
-    while (!self->stopping && lws_service(self->context, 0) >= 0) {
-    }
+    // What has come since may have been half a request, and when there is no place left nobody comes.
+    while (!self->stopping && lws_service(self->context, 0) >= 0) self->makeRoom();
   });
 }
 

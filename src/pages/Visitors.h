@@ -18,8 +18,9 @@ public:
   void asked(lws* connection);
   void remove(lws* connection);
 
-  /// Call after add(): the connection to be closed, which is named once, or null. It is the one that has been
-  /// silent longest, the last that came apart. `hasSent`: something has come from it that was not read yet.
+  /// A connection to be closed, each named once, or null: call until it is null, when one has come or
+  /// something was read. It is the one that has been silent longest, the last that came apart. `hasSent`:
+  /// something has come from it that was not read yet.
   lws* toClose(const std::function<bool(lws*)>& hasSent);
 
 private:

@@ -37,6 +37,8 @@ TEST_F(VisitorsTest, whoAskedOrHasSentSomethingStays) {
   sent = at(2);
   EXPECT_EQ(comes(3), nullptr) << "of the last that came nothing is expected yet";
   EXPECT_EQ(comes(4), at(3));
+  // It is read, and was no whole request.
+  EXPECT_EQ(visitors.toClose([](lws*) { return false; }), at(2));
 }
 
 TEST_F(VisitorsTest, whoGoesByItselfMakesRoom) {
