@@ -35,16 +35,6 @@ private:
   int fd_;
 };
 
-bool writeAll(int fd, std::string_view rest) {
-  while (!rest.empty()) {
-    const ssize_t written = ::write(fd, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written < 0) return false;
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
-  return true;
-}
-
 /// Some file systems cannot sync (EINVAL): what they hold is as safe as it gets.
 bool sync(int fd) { return ::fsync(fd) == 0 || errno == EINVAL; }
 
@@ -71,6 +61,16 @@ bool syncFolderOf(const std::string& path) {
 }
 
 }  // namespace
+
+bool writeAll(int fd, std::string_view rest) {
+  while (!rest.empty()) {
+    const ssize_t written = ::write(fd, rest.data(), rest.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written < 0) return false;
+    rest.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
 
 bool syncToDisk(const std::string& path) {
   // What cannot be opened, as a folder without the right to read it, is complete all the same.

@@ -103,8 +103,8 @@ DebugServer::Client& DebugServer::add(int fd) {
 }
 
 bool DebugServer::makeRoom() {
-  for (auto client = clients_.begin(); client != clients_.end();
-       ++client) {  // in the order in which they came
+  // In the order in which they came.
+  for (auto client = clients_.begin(); client != clients_.end(); ++client) {
     if (client->spoke || client->ends) continue;
     // It may have spoken since it was last listened to.
     receive(*client);

@@ -26,13 +26,13 @@ public:
       parts.links.push_back(readLink(*e));
     for (const XMLElement* e = robot->FirstChildElement("joint"); e; e = e->NextSiblingElement("joint"))
       parts.joints.push_back(readJoint(*e));
-    doubtDynamics(*robot, parts);
+    warnOfDynamics(*robot, parts);
     return parts;
   }
 
 private:
   /// What stands there is mostly no measurement but what keeps another simulator calm: it is said, not used.
-  void doubtDynamics(const XMLElement& robot, MechanismParts& parts) const {
+  void warnOfDynamics(const XMLElement& robot, MechanismParts& parts) const {
     for (const XMLElement* e = robot.FirstChildElement("joint"); e; e = e->NextSiblingElement("joint")) {
       const XMLElement* dynamics = e->FirstChildElement("dynamics");
       if (!dynamics || (number(*dynamics, "friction", 0) == 0 && number(*dynamics, "damping", 0) == 0))

@@ -62,8 +62,7 @@ MechanismParts::Joint& MjcfActuators::jointOf(const XMLElement& e) const {
     if (e.Attribute(other))
       fail(e, std::string("an actuator acts on a ") + other +
                   ", which the nominal model does not have; give joint=\"...\" instead, and <equality> "
-                  "<joint> for "
-                  "joints that move together");
+                  "<joint> for joints that move together");
   // For a hinge and a slide it is the same.
   const char* name = e.Attribute("joint") ? e.Attribute("joint") : e.Attribute("jointinparent");
   if (!name) fail(e, std::string("<") + e.Name() + "> lacks joint=\"...\"");

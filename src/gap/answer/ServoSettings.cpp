@@ -13,6 +13,11 @@ std::vector<std::pair<std::string, double>> settingsOf(const Servo& servo) {
   return {{"kp", servo.kp}, {"kd", servo.kd}};
 }
 
+std::string text(const ServoSettings::Range& range) {
+  return range.most > range.least ? fmt::format("{:.4g} to {:.4g}", range.least, range.most)
+                                  : fmt::format("{:.4g}", range.least);
+}
+
 }  // namespace
 
 ServoSettings servoSettings(const std::vector<Trial>& trials) {
@@ -57,12 +62,9 @@ std::vector<std::string> settingsBeyond(const ServoSettings& others, const std::
     for (const auto& [name, here] : ranges) {
       const auto range = known->second.find(name);
       if (range == known->second.end()) continue;
-      const auto [least, most] = range->second;
-      if (here.least >= least && here.most <= most) continue;
-      lines.push_back(fmt::format("{} of {} is {:.4g}{} here, and {:.4g}{} in the recordings of the answer",
-                                  name, joint, here.least,
-                                  here.most > here.least ? fmt::format(" to {:.4g}", here.most) : "", least,
-                                  most > least ? fmt::format(" to {:.4g}", most) : ""));
+      if (here.least >= range->second.least && here.most <= range->second.most) continue;
+      lines.push_back(fmt::format("{} of {} is {} here, and {} in the recordings of the answer", name, joint,
+                                  text(here), text(range->second)));
     }
   }
   return lines;

@@ -3,11 +3,14 @@
 #include <set>
 
 #include "gap/diagnosis/Evidence.h"
+#include "gap/replay/TrialOf.h"
 
 namespace plumbline::gap {
 
-std::string unusedLine(const std::string& column, const std::string& why) {
-  return column.substr(0, column.find('.')) + ".* is not used: " + why;
+std::string whyNeverUsed(SignalKind kind) {
+  if (kind == SignalKind::velocity) return "it is the derivative of the position, which is used";
+  if (kind == SignalKind::truth) return "a body's way over the ground is shown, not scored";
+  return "";
 }
 
 std::vector<std::string> unusedColumns(
@@ -27,8 +30,7 @@ std::vector<std::string> unusedByBlocks(const std::vector<Trial>& trials) {
   return unusedColumns(trials, [&](std::size_t t, std::size_t s) -> std::string {
     const Signal& signal = trials[t].signals[s];
     if (Evidence::counts(signal)) return "";
-    if (signal.kind == SignalKind::velocity) return "it is the derivative of the position, which is used";
-    if (signal.kind == SignalKind::truth) return "a body's way over the ground is shown, not scored";
+    if (const std::string why = whyNeverUsed(signal.kind); !why.empty()) return why;
     return "--method blocks does not look at it; --method sets does";
   });
 }

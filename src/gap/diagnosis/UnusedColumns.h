@@ -7,8 +7,8 @@
 
 namespace plumbline::gap {
 
-/// `KIND.* is not used: WHY`
-std::string unusedLine(const std::string& column, const std::string& why);
+/// Why no diagnosis uses signals of a kind; empty: one does.
+std::string whyNeverUsed(SignalKind kind);
 
 /// What was recorded and a diagnosis does not use, a line of each kind and reason. whyNot: of a signal of a
 /// trial, by their indices; empty: it is used.

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "gap/diagnosis/Noise.h"
+#include "gap/diagnosis/UnusedColumns.h"
 #include "math/Median.h"
 
 namespace plumbline::gap {
@@ -128,8 +129,6 @@ double effortOfAngle(const Trial& trial, const Signal& effort, const Channels& c
 
 std::string whyNot(const Trial& trial, const Signal& signal) {
   switch (signal.kind) {
-    case SignalKind::velocity:
-      return "it is the derivative of the position, which is used";
     case SignalKind::duty: {
       const auto joint = static_cast<std::size_t>(signal.joint);
       if (trial.robot->joints[joint].servo.model != Servo::Model::dcMotor)
@@ -137,15 +136,13 @@ std::string whyNot(const Trial& trial, const Signal& signal) {
       if (trial.robot->joints[joint].servo.followsTorque) return "the motor was sent no positions";
       return "";
     }
-    case SignalKind::truth:
-      return "a body's way over the ground is shown, not scored";
     case SignalKind::current: {
       const auto joint = static_cast<std::size_t>(signal.joint);
       if (!(trial.robot->joints[joint].servo.kt > 0)) return "the robot's file gives no torque per ampere";
       return "";
     }
     default:
-      return "";
+      return whyNeverUsed(signal.kind);
   }
 }
 

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "framework/Parallel.h"
 #include "gap/diagnosis/LostCycles.h"

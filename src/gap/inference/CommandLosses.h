@@ -42,8 +42,8 @@ CommandLosses decodeLostCommands(const std::vector<Trial>& sent, const Groups& g
                                  const Explanation& causes, int jobs);
 
 /// Sets recovered by a simulation: these recordings with other cycles lost, as large a share, and with the
-/// readings' noise, are decoded in the same way. Two losses that follow each other closely may be found as
-/// one; on a weak servo a quarter of them is. groups: of the trials that know what they lost.
+/// readings' noise, are decoded in the same way. On a weak servo fewer losses are found than there are.
+/// groups: of the trials that know what they lost.
 void measureRecovery(CommandLosses& lost, const std::vector<Trial>& sent, const Groups& groups,
                      const Explanation& causes, int jobs);
 

@@ -19,9 +19,8 @@ std::string howRepeatsDiffer(const Inference& of) {
 std::string Inference::runToRun() const {
   if (repeatsDiffer <= leastUnexplained) return "";
   return "Something changes from run to run: repeats of one motion " + howRepeatsDiffer(*this) +
-         (lost.any()
-              ? ". Lost commands explain a part of it"
-              : ". No lost commands were found that explain it; --method blocks finds some that show late") +
+         (lost.any() ? ". Lost commands explain a part of it"
+                     : ". No lost commands were found that explain it") +
          "; what is missing within that is not seen.";
 }
 

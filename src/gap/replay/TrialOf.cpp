@@ -6,6 +6,7 @@
 
 #include "gap/replay/Restarts.h"
 #include "gap/replay/TruePose.h"
+#include "gap/run/CommandCheck.h"
 
 namespace plumbline::gap {
 
@@ -108,9 +109,7 @@ void moveTheUncommanded(const Run& run, const Mechanism& nominal, Trial& trial) 
 }
 
 bool commanded(const Run& run, const std::string& joint) {
-  return std::ranges::any_of(std::array{ChannelKind::command, ChannelKind::commandSpeed,
-                                        ChannelKind::commandTorque, ChannelKind::commandCurrent},
-                             [&](ChannelKind kind) { return run.find(kind, joint) != nullptr; });
+  return run.find(ChannelKind::command, joint) || wasSentSpeedOrTorque(run, joint);
 }
 
 /// Torques that were sent to a joint, or its currents times the torque per ampere; empty: none.
@@ -149,6 +148,10 @@ bool isPositionServo(const Mechanism& robot, const std::string& joint) {
 
 }  // namespace
 
+std::string unusedLine(const std::string& column, const std::string& why) {
+  return column.substr(0, column.find('.')) + ".* is not used: " + why;
+}
+
 Trial trialOf(const Run& run, const Mechanism& nominal) {
   Trial trial;
   trial.name = trial.recording = run.folder;
@@ -182,9 +185,9 @@ Trial trialOf(const Run& run, const Mechanism& nominal) {
     const auto channel = parseChannel(column);
     const auto kind = channel ? kindOf(channel->kind) : std::nullopt;
     if (channel && channel->kind == ChannelKind::temperature)
-      trial.unused.push_back("temperature.* is not used: no model here predicts it");
+      trial.unused.push_back(unusedLine(column, "no model here predicts it"));
     if (channel && channel->kind == ChannelKind::voltage && isPositionServo(nominal, channel->place))
-      trial.unused.push_back("voltage.* is not used: the law of a position servo has no supply");
+      trial.unused.push_back(unusedLine(column, "the law of a position servo has no supply"));
     if (!kind) continue;
     Signal signal;
     signal.name = column;

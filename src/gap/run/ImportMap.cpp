@@ -98,10 +98,8 @@ void readHead(const ConfigSection& root, ImportMap& map) {
   if (map.timingStated) {
     const ConfigSection timing = root.section("timing");
     const Range second{-1, 1};
-    r.timing["*"] = {timing.find<double>("cmd_at_s", second).value_or(0),
-                     timing.find<double>("pos_at_s", second).value_or(0),
-                     timing.find<double>("vel_at_s", second).value_or(0),
-                     timing.find<double>("effort_at_s", second).value_or(0)};
+    JointTiming& all = r.timing["*"];
+    for (const auto& [key, field] : timingKeys) all.*field = timing.find<double>(key, second).value_or(0);
   }
   if (root.has("servo")) {
     const ConfigSection servo = root.section("servo");

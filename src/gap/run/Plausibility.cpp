@@ -37,7 +37,7 @@ public:
     for (const Mechanism::Joint& joint : robot_.joints) checkServo(joint);
     for (const auto& [joint, timing] : run_.timing) checkTiming(joint, timing);
     for (const Mechanism::Joint& joint : robot_.joints) checkClocks(joint);
-    for (const Mechanism::Joint& joint : robot_.joints) checkEffort(joint);
+    for (const Mechanism::Joint& joint : withServo(robot_, run_).joints) checkEffort(joint);
   }
 
 private:
@@ -67,10 +67,8 @@ private:
 
   void checkTiming(const std::string& joint, const JointTiming& timing) {
     const double most = std::max(mostShift, 5 * period_);
-    for (const auto& [key, seconds] :
-         {std::pair("cmd_at_s", timing.cmdAt), std::pair("pos_at_s", timing.posAt),
-          std::pair("vel_at_s", timing.velAt), std::pair("effort_at_s", timing.effortAt)})
-      if (std::abs(seconds) > most)
+    for (const auto& [key, field] : timingKeys)
+      if (const double seconds = timing.*field; std::abs(seconds) > most)
         warn("run.json", std::string("timing.") + key + (joint == "*" ? "" : "." + joint) + " is " +
                              shownNumber(seconds) + " s, " + shownNumber(seconds / period_) +
                              " cycles; is it in s?");
@@ -85,7 +83,7 @@ private:
     if (!cmd || !pos || !torque || joint.servo.model != Servo::Model::position || timing.effortAt != 0 ||
         timing.cmdAt != 0)
       return;
-    const double kp = servoOf(joint).kp, kd = servoOf(joint).kd;
+    const double kp = joint.servo.kp, kd = joint.servo.kd;
     double before = 0, own = 0;
     for (std::size_t k = 1; k + 1 < run_.t.size(); ++k) {
       const double speed = ((*pos)[k + 1] - (*pos)[k - 1]) / (run_.t[k + 1] - run_.t[k - 1]);
@@ -98,16 +96,6 @@ private:
           "torque." + joint.name,
           "it is the torque of its own line's command, but commands come into force after a line's readings; "
           "add to run.json: timing: {effort_at_s: 1e-4}");
-  }
-
-  /// The joint's servo with the gains of this run.
-  Servo servoOf(const Mechanism::Joint& joint) const {
-    Servo servo = joint.servo;
-    if (const auto found = run_.servo.find(joint.name); found != run_.servo.end()) {
-      servo.kp = found->second.kp.value_or(servo.kp);
-      servo.kd = found->second.kd.value_or(servo.kd);
-    }
-    return servo;
   }
 
   /// Whether a joint moves as commanded, but at a time that no delay explains.

@@ -128,8 +128,7 @@ constexpr Type types[] = {{jointState, readJointState},
 /// What to do with a bag of another storage.
 std::string conversion(const std::string& path) {
   return "of a bag of another storage (.mcap) make one: echo 'output_bags: [{uri: converted, storage_id: "
-         "sqlite3, "
-         "all: true}]' > convert.yaml; ros2 bag convert -i " +
+         "sqlite3, all: true}]' > convert.yaml; ros2 bag convert -i " +
          path + " -o convert.yaml; then import the folder converted";
 }
 

@@ -48,14 +48,6 @@ std::vector<std::string> Run::jointsWith(ChannelKind kind) const {
   return joints;
 }
 
-bool takesSpeeds(const Run& run, const Mechanism::Joint& joint) {
-  const auto given = run.servo.find(joint.name);
-  const bool own = given != run.servo.end();
-  const double kd = own ? given->second.kd.value_or(joint.servo.kd) : joint.servo.kd;
-  return joint.servo.model == Servo::Model::position && kd > 0 &&
-         run.find(ChannelKind::commandSpeed, joint.name) && !run.find(ChannelKind::command, joint.name);
-}
-
 Mechanism withServo(Mechanism robot, const Run& run) {
   for (const auto& [name, given] : run.servo) {
     const int index = robot.jointIndex(name);

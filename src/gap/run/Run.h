@@ -1,8 +1,10 @@
 #pragma once
+#include <array>
 #include <map>
 #include <optional>
 #include <set>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "framework/ConfigurationError.h"
@@ -36,6 +38,13 @@ struct ServoOverride {
 struct JointTiming {
   double cmdAt = 0, posAt = 0, velAt = 0, effortAt = 0;
 };
+
+/// The keys of `timing` in run.json and in maps of imports.
+inline constexpr std::array<std::pair<const char*, double JointTiming::*>, 4> timingKeys = {
+    {{"cmd_at_s", &JointTiming::cmdAt},
+     {"pos_at_s", &JointTiming::posAt},
+     {"vel_at_s", &JointTiming::velAt},
+     {"effort_at_s", &JointTiming::effortAt}}};
 
 /// One recording of one motion on one robot: a table of channels by name.
 struct Run {
@@ -74,9 +83,5 @@ struct Run {
 /// The robot with the run's servo settings. For a DC motor kp, kd, kpFirmware and vin are kept consistent:
 /// values of run.json count, the rest follows from the law in Servo. Unknown joints are ignored.
 Mechanism withServo(Mechanism robot, const Run& run);
-
-/// Whether a joint of the robot's file is driven by the speeds that it was sent alone: its servo has damping,
-/// in the file or in the run, and it was sent no positions.
-bool takesSpeeds(const Run& run, const Mechanism::Joint& joint);
 
 }  // namespace plumbline::gap

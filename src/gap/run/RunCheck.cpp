@@ -9,7 +9,6 @@
 #include "gap/run/CommandCheck.h"
 #include "gap/run/Plausibility.h"
 #include "gap/run/RunFile.h"
-#include "gap/run/SentCommands.h"
 #include "math/Angle.h"
 
 namespace plumbline::gap {
@@ -207,11 +206,13 @@ private:
 
     for (const Mechanism::Joint& joint : robot_.joints)
       if (run_.find(ChannelKind::command, joint.name)) anyCommandMoves |= checkFollowing(joint);
-    for (const Mechanism::Joint& joint : robot_.joints) {
+    const Mechanism driven = withServo(robot_, run_);
+    for (const Mechanism::Joint& joint : driven.joints) {
       leaveOutUselessCommands(run_, joint, warnings_);
       checkSpeed(joint);
       if (joint.driver >= 0) continue;  // its driver's command is its own
-      const bool hasCommand = run_.find(ChannelKind::command, joint.name) || isSentEfforts(run_, joint),
+      const bool hasCommand =
+                     run_.find(ChannelKind::command, joint.name) || wasSentSpeedOrTorque(run_, joint.name),
                  hasPosition = run_.find(ChannelKind::position, joint.name);
       if (!hasCommand && !hasPosition)
         warn("run.csv", "has neither cmd." + joint.name + " nor pos." + joint.name + "; it is held still");
@@ -221,7 +222,7 @@ private:
         warn("cmd." + joint.name, "there is no pos." + joint.name + " to hold against it");
     }
     anyCommandMoves = anyCommandMoves || std::ranges::any_of(robot_.joints, [&](const auto& j) {
-                        return isSentEfforts(run_, j);
+                        return wasSentSpeedOrTorque(run_, j.name);
                       });
     if (!anyCommandMoves && !run_.jointsWith(ChannelKind::command).empty())
       warn("run.csv", "no command changes; a robot that does not move shows little");
@@ -353,7 +354,8 @@ private:
 
   void checkWhatIsLeft() {
     if (run_.jointsWith(ChannelKind::command).empty() &&
-        std::ranges::none_of(robot_.joints, [&](const auto& j) { return isSentEfforts(run_, j); }))
+        std::ranges::none_of(robot_.joints,
+                             [&](const auto& j) { return wasSentSpeedOrTorque(run_, j.name); }))
       refuse("no usable cmd column" + reasons());
     if (run_.jointsWith(ChannelKind::position).empty()) refuse("no usable pos column" + reasons());
   }

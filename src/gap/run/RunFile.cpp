@@ -125,19 +125,17 @@ void readTiming(const Meta& meta, Run& run) {
   if (!timing) return;
   if (!timing->is_object())
     meta.fail("timing is " + shown(*timing) + "; give {cmd_at_s, pos_at_s, vel_at_s, effort_at_s}");
-  constexpr std::pair<const char*, double JointTiming::*> fields[] = {
-      {"cmd_at_s", &JointTiming::cmdAt},
-      {"pos_at_s", &JointTiming::posAt},
-      {"vel_at_s", &JointTiming::velAt},
-      {"effort_at_s", &JointTiming::effortAt}};
-  meta.only(*timing, "timing.", {"cmd_at_s", "pos_at_s", "vel_at_s", "effort_at_s", "note"});
+  std::vector<std::string> known;
+  for (const auto& [key, field] : timingKeys) known.emplace_back(key);
+  known.emplace_back("note");
+  meta.only(*timing, "timing.", known);
   // One number for all first, so that a joint's own entry starts from it.
-  for (const auto& [key, field] : fields) {
+  for (const auto& [key, field] : timingKeys) {
     const json* v = meta.find(*timing, key);
     if (v && !v->is_object()) run.timing["*"].*field = meta.number(*v, std::string("timing.") + key, -1, 1);
   }
   const JointTiming all = run.timingOf("*");
-  for (const auto& [key, field] : fields) {
+  for (const auto& [key, field] : timingKeys) {
     const json* v = meta.find(*timing, key);
     if (!v || !v->is_object()) continue;
     for (const auto& [joint, seconds] : v->items())

@@ -48,12 +48,7 @@ std::string metaText(const Run& run) {
   if (run.heading) json["heading"] = *run.heading;
   if (!run.unsignedKinds.empty()) json["unsigned"] = run.unsignedKinds;
   for (const auto& [joint, servo] : run.servo) json["servo"][joint] = servoJson(servo);
-  constexpr std::pair<const char*, double JointTiming::*> fields[] = {
-      {"cmd_at_s", &JointTiming::cmdAt},
-      {"pos_at_s", &JointTiming::posAt},
-      {"vel_at_s", &JointTiming::velAt},
-      {"effort_at_s", &JointTiming::effortAt}};
-  for (const auto& [key, field] : fields) {
+  for (const auto& [key, field] : timingKeys) {
     if (run.timing.size() == 1 && run.timing.count("*"))
       json["timing"][key] = run.timing.at("*").*field;
     else

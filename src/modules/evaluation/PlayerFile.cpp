@@ -8,9 +8,9 @@
 #include <cstring>
 #include <filesystem>
 #include <stdexcept>
-#include <string_view>
 #include <system_error>
 
+#include "framework/WriteFile.h"
 #include "modules/evaluation/OutputProblems.h"
 
 namespace plumbline {
@@ -65,13 +65,7 @@ void PlayerFile::cutOff() {
 }
 
 void PlayerFile::append(const std::string& text) {
-  std::string_view rest = text;
-  while (!rest.empty()) {
-    const ssize_t written = ::write(fd_, rest.data(), rest.size());
-    if (written < 0 && errno == EINTR) continue;
-    if (written <= 0) throw std::system_error(errno, std::generic_category());
-    rest.remove_prefix(static_cast<std::size_t>(written));
-  }
+  if (!writeAll(fd_, text)) throw std::system_error(errno, std::generic_category());
   size_ += static_cast<std::int64_t>(text.size());
 }
 

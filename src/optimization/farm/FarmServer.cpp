@@ -73,8 +73,8 @@ void FarmServer::accept() {
 }
 
 bool FarmServer::makeRoom() {
-  for (auto client = clients_.begin(); client != clients_.end();
-       ++client) {  // in the order in which they came
+  // In the order in which they came.
+  for (auto client = clients_.begin(); client != clients_.end(); ++client) {
     if (client->worker >= 0 || client->ends) continue;
     // It may have spoken since it was last listened to.
     client->socket.serve(POLLIN);

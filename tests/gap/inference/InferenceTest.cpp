@@ -72,7 +72,7 @@ TEST(Inference, saysWhatChangesFromRunToRun) {
   EXPECT_EQ(
       found.runToRun(),
       "Something changes from run to run: repeats of one motion differ by 16.6 times the readings' noise in "
-      "pos.elbow. No lost commands were found that explain it; --method blocks finds some that show late; "
+      "pos.elbow. No lost commands were found that explain it; "
       "what is "
       "missing within that is not seen.");
   found.lost.seen = {100};
