@@ -176,9 +176,10 @@ bench-gap-planted:
 	@scripts/run_bench.sh gap-planted || { cat build/bench/gap-planted.log >&2; exit 2; }
 	@scripts/make_results.sh gap-planted
 
-# The walk trained with what bin/gap found on a robot, beside one trained without: ROBOTS, SEED, JOBS. bin/gap next on
-# pairs of explanations: PAIRS, SEED. Write doc/results/gap-train.md and gap-next.md.
+# The walk trained with what bin/gap found on a robot, beside one trained without: ROBOTS, SEED, JOBS, ENGINE of the robots. bin/gap
+# next on pairs of explanations: PAIRS, SEED. Write doc/results/gap-train.md and gap-next.md.
 bench-gap-train bench-gap-next: bench-%:
+	@$(if $(filter gap-train,$*),scripts/install_packages.sh scripts/packages-bench.txt)
 	@scripts/build.sh SimRelease gap optimizewalk bench-$*
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }
 	@scripts/make_results.sh $*

@@ -12,6 +12,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr std::size_t mostSurvivors = 512;  // for time and memory: those of 39 cycles
+constexpr double mostUnseen = 4;            // losses that a guess has paid for and that do not show yet
 
 /// Of guesses that differ in so many cycles: a dozen of 6, most of the pairs of losses among more.
 std::size_t survivorsOf(std::size_t detectionCycles) {
@@ -95,13 +96,15 @@ private:
     return sum;
   }
 
-  /// The best of those that agree in their last cycles; of these the best.
+  /// The best of those that agree in their last cycles; of these the best. One that is far behind would not
+  /// catch up.
   void select(std::size_t cycle) {
     std::stable_sort(guesses_.begin(), guesses_.end(),
                      [](const auto& a, const auto& b) { return a->cost < b->cost; });
     std::vector<std::unique_ptr<Guess>> kept;
+    const double farthest = guesses_.front()->cost + mostUnseen * price_;
     for (auto& guess : guesses_) {
-      if (kept.size() == survivorsOf(detectionCycles_)) break;
+      if (kept.size() == survivorsOf(detectionCycles_) || guess->cost > farthest) break;
       if (std::ranges::none_of(
               kept, [&](const auto& other) { return guess->agreesWith(*other, cycle, detectionCycles_); }))
         kept.push_back(std::move(guess));

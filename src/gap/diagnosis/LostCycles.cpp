@@ -13,20 +13,21 @@ namespace {
 
 constexpr std::size_t reach = 4;  // cycles within which only one changes its mind in a round
 constexpr int rounds = 8;
-constexpr double cycleGain = 14;  // of the sum of squares: e^-7 by chance, in thousands of cycles
-constexpr double visibleChange = 4 * cycleGain;
+constexpr double leastEvidence = LostCycles::surePrice;  // until it is there, a loss counts as not shown yet
+constexpr double visibleChange = 4 * leastEvidence;
 constexpr double aboutOne = 0.3;     // cycles that a lost command is off from one cycle late
 constexpr double leastOnTime = 0.6;  // share of the losses that are one cycle late; of another cause, a third
 
 /// Which commands one run lost, cycle by cycle.
 class LossesOfRun {
 public:
-  LossesOfRun(const Evidence& evidence, std::size_t t, const Explanation& causes)
+  LossesOfRun(const Evidence& evidence, std::size_t t, const Explanation& causes, double price)
       : evidence_(evidence),
         t_(t),
+        price_(price),
         trial_(evidence.trials()[t]),
         plant_(plantOf(trial_, causes)),
-        response_(lossResponse(plant_, evidence, t, cycleGain)),
+        response_(lossResponse(plant_, evidence, t, leastEvidence)),
         lost_(trial_.cycles(), 0),
         gains_(trial_.cycles(), 0),
         seen_(trial_.cycles(), 0),
@@ -34,7 +35,7 @@ public:
     // If a loss takes long to show, losses can imitate much else. Repeats that agree show that nothing was
     // lost, which saves the time.
     if (response_.detectionCycles > LossResponse::minDetection && repeatsAgree(evidence_.trials())) return;
-    lost_ = decodeLosses(plant_, evidence_, t_, cycleGain, response_.detectionCycles);
+    lost_ = decodeLosses(plant_, evidence_, t_, price_, response_.detectionCycles);
     for (int round = 0; round < rounds; ++round) {
       tryAll();
       if (!changeBest()) break;
@@ -83,7 +84,7 @@ private:
     }
     seen_[k] = change;
     offTime_[k] = change > 0 ? along / change : 0;
-    gains_[k] = gain - (lost_[k] ? 0 : cycleGain);
+    gains_[k] = gain - (lost_[k] ? 0 : price_);
   }
 
   /// Neighbours explain much of the same: only the best of them changes in a round.
@@ -104,6 +105,7 @@ private:
 
   const Evidence& evidence_;
   const std::size_t t_;
+  const double price_;
   const Trial& trial_;
   const Plant plant_;
   const LossResponse response_;
@@ -115,7 +117,7 @@ private:
 
 }  // namespace
 
-LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, int jobs) {
+LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, int jobs, double price) {
   LostCycles result;
   const std::size_t count = evidence.trials().size();
   result.cycles.resize(count);
@@ -124,7 +126,7 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
   std::vector<std::size_t> onTime(count, 0);
   parallel(count, jobs, [&](std::size_t t) {
     if (evidence.trials()[t].freeBase) return;
-    const LossesOfRun losses(evidence, t, causes);
+    const LossesOfRun losses(evidence, t, causes, price);
     result.cycles[t] = losses.cycles();
     for (std::size_t k = 0; k < result.cycles[t].size(); ++k) {
       if (!losses.visible(k)) continue;
@@ -149,7 +151,7 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
     result.found = 0;
     result.share = 0;
   }
-  result.price = cycleGain * static_cast<double>(result.found) / 2;  // half of the blocks are for judging
+  result.price = price * static_cast<double>(result.found) / 2;  // half of the blocks are for judging
   return result;
 }
 

@@ -17,12 +17,17 @@ namespace plumbline::gap {
 struct LostCycles {
   std::vector<std::vector<std::uint8_t>> cycles;  ///< per trial; empty where not looked at
   double share = 0;
+  /// Of a loss where nothing is known of the share, of the sum of squares: e^-7 by chance, in thousands of
+  /// cycles.
+  static constexpr double surePrice = 14;
   static constexpr std::size_t minCount = 3;  ///< cycles; fewer are chance
   std::size_t found = 0;
   /// Per trial: cycles in which a loss would have shown, and those of them that were lost.
   std::vector<std::size_t> seenIn, foundIn;
   double price = 0;  ///< of the sum of squares for judging: each cycle was chosen to fit
 };
-LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, int jobs);
+/// price: of each loss, of the sum of squares.
+LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, int jobs,
+                          double price = LostCycles::surePrice);
 
 }  // namespace plumbline::gap

@@ -16,6 +16,9 @@ namespace plumbline::gap {
 
 namespace {
 
+constexpr int sharesTried = 2;
+constexpr double leastPrice = 2;  // of a loss, of the sum of squares: more than a quarter is not known so well
+
 std::size_t sumOf(const std::vector<std::size_t>& counts, const std::vector<char>& wanted) {
   std::size_t sum = 0;
   for (std::size_t t = 0; t < counts.size(); ++t)
@@ -99,7 +102,16 @@ CommandLosses decodeLostCommands(const std::vector<Trial>& sent, const Groups& g
     auto& of = noises.emplace_back();
     for (const ChannelUse& use : uses) of.push_back({use.readingNoise, use.readingNoise, false});
   }
-  LostCycles decoded = findLostCycles(Evidence(sent, std::move(noises)), causes, jobs);
+  const Evidence evidence(sent, std::move(noises));
+  LostCycles decoded = findLostCycles(evidence, causes, jobs);
+  // Where many are lost, less evidence is enough for each: the price is that of the share found.
+  for (int round = 0; round < sharesTried && decoded.share > 0; ++round) {
+    const double price = std::clamp(2 * std::log((1 - decoded.share) / decoded.share), leastPrice,
+                                    LostCycles::surePrice);
+    LostCycles again = findLostCycles(evidence, causes, jobs, price);
+    if (again.share <= decoded.share) break;
+    decoded = std::move(again);
+  }
   CommandLosses lost;
   lost.cycles = std::move(decoded.cycles);
   lost.seen = std::move(decoded.seenIn);

@@ -1,10 +1,11 @@
-// What a diagnosis is worth to the next walk. NAOs in Bullet that have one or two things that the model lacks
+// What a diagnosis is worth to the next walk. NAOs in MuJoCo that have one or two things that the model lacks
 // are recorded hung up and on their feet and diagnosed by bin/gap. They walk with a walk that
 // bin/optimizewalk trained on a model with what was found, and with the one that the same search found on the
 // nominal model. Both begin with a walk searched on the nominal model before. Environment: ROBOTS [10], SEED
 // [1], JOBS; GENERATIONS [25], POPULATION [12], TRIES [6], SECONDS [6] of each search, MEASURED [100] tries
-// of each walk in the end. What is done is kept in build/bench/gap-train-SEED/: a bench that was stopped goes
-// on; remove the folder after a change of diagnosis or walk. Writes build/bench/gap-train.json and .md.
+// of each walk in the end; ENGINE [mujoco] of the robots, where walks are searched in Bullet. What is done is
+// kept in build/bench/gap-train-ENGINE-SEED/: a bench that was stopped goes on; remove the folder after a
+// change of diagnosis or walk. Writes build/bench/gap-train.json and .md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -19,6 +20,7 @@
 #include "framework/WriteFile.h"
 #include "gap/blind/Bootstrap.h"
 #include "gap/blind/CaseText.h"
+#include "servo/RobotSimulation.h"
 #include "support/Environment.h"
 #include "support/FigureJson.h"
 
@@ -40,7 +42,8 @@ json figure(const std::string& name, double value, const char* unit, const char*
   return figureJson("gap-train." + name, value, unit, better);
 }
 
-void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, double onNominal) {
+void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, double onNominal,
+           double onModel) {
   std::vector<double> without, with, gain, lostWithout, lostWith;
   std::size_t better = 0, worse = 0;
   double lost = 0;
@@ -79,13 +82,15 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
   const auto percent = [](double x) { return std::to_string(std::lround(100 * x)) + " %"; };
   const std::string text =
       "Robots measured: " + number(robots.size()) + " (seed " + number(setup.seed) +
-      "). They are NAOs in Bullet with one or two effects that the model lacks. The effects are drawn as for "
+      "). They are NAOs in the engine " +
+      setup.engine +
+      " with one or two effects that the model lacks. The effects are drawn as for "
       "sealed sets and made stronger until the walk trained on the nominal model surely (95 %) loses " +
       percent(leastLoss) + " of its speed, but not " + percent(mostLoss) +
-      ". Each is recorded hung up and on its feet (`--battery all`, in Bullet, with sensor noise) and "
+      ". Each is recorded hung up and on its feet (`--battery all`, in that engine, with sensor noise) and "
       "diagnosed by "
-      "`bin/gap diagnose`, whose own dynamics are not Bullet's. `bin/optimizewalk` then "
-      "searches for a forward walk on the model with the effects found (with the nearest explanation if the "
+      "`bin/gap diagnose`, which replays with dynamics of its own. `bin/optimizewalk` then searches in Bullet "
+      "for a forward walk on the model with the effects found (with the nearest explanation if the "
       "verdict is unknown). The walk without is searched as long on the model without these effects. Both "
       "searches begin with the same walk, which one search before them found on the nominal model from the "
       "walk of `config/robots/nao_v5`. Each search: " +
@@ -93,9 +98,10 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
       " tries of " + number(setup.seconds) + " s. Both walks are tried on the robot itself, " +
       number(setup.measured) +
       " tries each with seeds that no search used.\n\n"
-      "On the nominal robot the walk trained without the effects goes " +
-      centimetres(onNominal) +
-      " cm/s. On the robots themselves it "
+      "The walk trained without the effects goes " +
+      centimetres(onModel) + " cm/s on the nominal robot in Bullet and " + centimetres(onNominal) +
+      " cm/s on the nominal robot in " + setup.engine +
+      ". On the robots themselves it "
       "loses " +
       percent(mean(lostWithout)) + range(" (95 %%: %.0f to %.0f)", lostLow, lostHigh) +
       " of that; the walks trained with the effects found lose **" + percent(mean(lostWith)) + "**" +
@@ -111,6 +117,8 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
       "|---|---|---|---|---|---|\n";
   writeFile("build/bench/gap-train.md", text + rows);
   json figures = {figure("robots", static_cast<double>(robots.size()), "1", "higher"),
+                  figure("speed_nominal_in_bullet", onModel, "m/s", "higher"),
+                  figure("speed_nominal", onNominal, "m/s", "higher"),
                   figure("speed_without", mean(without), "m/s", "higher"),
                   figure("speed_with", mean(with), "m/s", "higher"),
                   figure("lost_without", mean(lostWithout), "1", "lower"),
@@ -134,8 +142,10 @@ int main() try {
   setup.tries = environment("TRIES", 6);
   setup.seconds = environment("SECONDS", 6);
   setup.measured = std::clamp<std::uint64_t>(environment("MEASURED", 100), 4, 10000);
-  setup.folder = "build/bench/gap-train-" + std::to_string(setup.seed);
+  setup.engine = environmentText("ENGINE", "mujoco");
+  setup.folder = "build/bench/gap-train-" + setup.engine + "-" + std::to_string(setup.seed);
   fs::create_directories(setup.folder);
+  servo::RobotSimulations::require(setup.engine);
   const TrainBench bench(setup);
   std::vector<TrainedRobot> robots;
   for (std::size_t i = 0; i < count; ++i) {
@@ -143,7 +153,7 @@ int main() try {
     std::printf("%zu/%zu %s: without %.3f, with %.3f m/s\n", i + 1, static_cast<std::size_t>(count),
                 hidden(robots.back().truth).c_str(), robots.back().without.speed, robots.back().with.speed);
     std::fflush(stdout);
-    write(robots, setup, bench.speedOnNominal());
+    write(robots, setup, bench.speedOnNominal(), bench.speedOnModel());
   }
 } catch (const std::exception& error) {
   std::fprintf(stderr, "bench gap-train: %s\n", error.what());

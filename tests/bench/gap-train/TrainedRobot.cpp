@@ -29,7 +29,8 @@ namespace {
 constexpr const char* robotName = "nao_v5";
 constexpr const char* firstSpread = "0.35";   // of a search that begins with a walk that is good already
 constexpr int strengths = 4;                  // each twice the one before
-constexpr std::uint64_t drawnBy = 100;        // tries of the walk that decide whether a robot is taken
+// Tries of the walk that decide whether a robot is taken: at most, and after how many it may be clear.
+constexpr std::uint64_t drawnBy = 100, drawnAtOnce = 20;
 constexpr std::uint64_t firstDrawn = 50'000;  // the first of these: other ones than those that measure
 
 /// What the short searches look for: the parameters that speed depends on most.
@@ -96,6 +97,7 @@ TrainBench::TrainBench(const TrainSetup& setup) : setup_(setup), mechanism_(name
   train({"", start_}, folder);
   nominalWalk_ = walkIn(folder);
   onNominal_ = meanOf(measure(nominalWalk_, {}, setup_.measured)).speed;
+  onModel_ = meanOf(measureIn("bullet", nominalWalk_, {}, setup_.measured, 0)).speed;
   drawnOnNominal_ = measure(nominalWalk_, {}, drawnBy, firstDrawn);
 }
 
@@ -131,11 +133,12 @@ void TrainBench::train(const TrainStart& start, const std::string& output) const
   runProgram(command, output + "/log");
 }
 
-std::vector<WalkTrialResult> TrainBench::measure(const walking::WalkGaits& walk, const Explanation& effects,
-                                                 std::uint64_t tries, std::uint64_t first) const {
+std::vector<WalkTrialResult> TrainBench::measureIn(const std::string& engine, const walking::WalkGaits& walk,
+                                                   const Explanation& effects, std::uint64_t tries,
+                                                   std::uint64_t first) const {
   std::vector<WalkTrialResult> results(tries);
   parallel(results.size(), static_cast<int>(setup_.jobs), [&](std::size_t i) {
-    const auto robot = walkerWith("bullet", mechanism_, walk, effects);
+    const auto robot = walkerWith(engine, mechanism_, walk, effects);
     training::WalkTrialSetup trial;
     // The searches' own seeds are below 100 million.
     trial.seed = 1'000'000'000 + setup_.seed * 100'000 + first + i;
@@ -144,6 +147,23 @@ std::vector<WalkTrialResult> TrainBench::measure(const walking::WalkGaits& walk,
     results[i] = training::tryWalk(*robot, walk, training::WalkTrialKind::forward, trial);
   });
   return results;
+}
+
+TrainBench::Loss TrainBench::lossWith(const Explanation& effects) const {
+  std::vector<double> lost;  // of the same tries, in parts of the nominal speed
+  while (lost.size() < drawnBy) {
+    const std::size_t first = lost.size();
+    const std::vector<WalkTrialResult> with =
+        measure(nominalWalk_, effects, drawnAtOnce, firstDrawn + first);
+    for (std::size_t i = 0; i < drawnAtOnce; ++i)
+      lost.push_back((drawnOnNominal_[first + i].speed - with[i].speed) / onNominal_);
+    const auto [lower, upper] = bootstrapInterval(lost, mean, 2000);
+    if (lower > mostLoss) return Loss::tooMuch;
+    if (upper < leastLoss) return Loss::tooLittle;
+    if (lower >= leastLoss && upper <= mostLoss) return Loss::enough;
+  }
+  if (mean(lost) > mostLoss) return Loss::tooMuch;
+  return bootstrapInterval(lost, mean, 2000).first >= leastLoss ? Loss::enough : Loss::tooLittle;
 }
 
 BlindCase TrainBench::draw(std::size_t turn) const {
@@ -163,15 +183,11 @@ BlindCase TrainBench::draw(std::size_t turn) const {
     if (!std::ranges::all_of(truth.effects, [&](const BlindEffect& e) { return walksOn(mechanism_, e); }))
       continue;
     for (int strength = 0; strength < strengths; ++strength) {
-      const std::vector<WalkTrialResult> with =
-          measure(nominalWalk_, causesOf(truth.effects, mechanism_), drawnBy, firstDrawn);
-      std::vector<double> lost;  // of the same tries, in parts of the nominal speed
-      for (std::size_t i = 0; i < drawnBy; ++i)
-        lost.push_back((drawnOnNominal_[i].speed - with[i].speed) / onNominal_);
-      if (mean(lost) > mostLoss) break;
-      if (bootstrapInterval(lost, mean, 2000).first >= leastLoss) {
+      const Loss loss = lossWith(causesOf(truth.effects, mechanism_));
+      if (loss == Loss::tooMuch) break;
+      if (loss == Loss::enough) {
         fs::create_directories(fs::path(kept).parent_path());
-        writeFile(kept, blindSetText({robotName, "bullet", "all", setup_.seed, {truth}}));
+        writeFile(kept, blindSetText({robotName, setup_.engine, "all", setup_.seed, {truth}}));
         return truth;
       }
       for (BlindEffect& effect : truth.effects) effect = strengthened(mechanism_, effect, 2);
@@ -181,7 +197,7 @@ BlindCase TrainBench::draw(std::size_t turn) const {
 
 void TrainBench::record(const std::string& folder) const {
   if (fs::exists(folder + "/runs")) return;
-  runProgram({"bin/gap", "record", "--robot", robotName, "--engine", "bullet", "--battery", "all", "--seed",
+  runProgram({"bin/gap", "record", "--robot", robotName, "--engine", setup_.engine, "--battery", "all", "--seed",
               std::to_string(setup_.seed), "--effects", folder + "/truth.yaml", "-o", folder + "/runs"},
              folder + "/log");
 }
