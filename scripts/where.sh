@@ -183,6 +183,8 @@ aboutModule() { # file
     row parts "$(printf '%s\n' "${pieces[@]}" | awk NF | list 9)"
     row requires "$(inputs "$file")"
     row provides "$(outputs "$file")"
+    # Several representations may share a header, so the header's name is not always that of the representation.
+    row "their files" "$(sed -nE 's#^\#include "([^"]*)".*#src/\1#p' "$file" | xargs grep -slE '^REPRESENTATION' | list 20)"
   fi
   text=$(parametersOf "$stem")
   text=${text:-$(declared -v macros=1 "$file")}

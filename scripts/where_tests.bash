@@ -33,6 +33,7 @@ testsOfParts() {
 throughFixtures() { # pattern, name
   local fixture header functions user
   naming "$1" tests | grep -vE '(Test|Targets?)\.cpp$|\.(sh|bash|mjs)$|^tests/(bench|e2e)/' | while read -r fixture; do
+    grep -vE '^ *//' "$fixture" | grep -qE -e "$1" || continue # a comment names it as an example
     functions='' user=
     [[ $fixture == *.h ]] || functions=$(awk -v name="$2" -f scripts/where_functions.awk "$fixture" | paste -sd '|')
     header=$(basename "${fixture%.*}").h

@@ -51,7 +51,7 @@ private:
   void arrived() noexcept override { newest_.publish(); }
 
   Newest<BytesContent> newest_;
-  TopicReader reader_;  ///< ends before what it fills
+  TopicReader reader_;  ///< last, so that it is destroyed before newest_, which it fills
 };
 
 }  // namespace plumbline::dds

@@ -18,7 +18,7 @@ public:
   /// Fills missing attributes of an element from its class.
   void complete(const XMLElement& e, const std::string& classAround) const;
 
-  /// A range of two numbers that holds: its flag is true, or it is auto and the range is not empty.
+  /// A range of two numbers if it is in force: its flag is true, or it is auto and the range is not empty.
   std::optional<Vec2> rangeOf(const XMLElement& e, const char* range, const char* flag) const;
 
   bool rangesHoldByThemselves = true;  ///< <compiler autolimits>

@@ -54,7 +54,7 @@ FieldScene::Chain FieldScene::chainOf(const std::vector<int>& nodes) {
   return chain;
 }
 
-/// Finds the transforms that count in a whole scene, which SceneState has read without complaint.
+/// Finds the transforms that are used, in a whole scene that SceneState has read without an error.
 void FieldScene::index(std::string_view message) {
   struct Open {
     bool node, transform;

@@ -13,7 +13,7 @@ namespace plumbline::training {
 struct ChoiceSetup {
   std::uint64_t seed = 1;
   double minutes = 40;           ///< of random requests, a minute from each stand
-  int tries = 24;                ///< of a sprint with interruptions, in which anything is asked for (tryWalk)
+  int tries = 24;                ///< of a sprint that random requests interrupt (tryWalk)
   double trySeconds = 12;        ///< each
   double push = 0.02;            ///< greatest push in those [m/s]
   int holds = 12;                ///< times a sprint is held, from a stand; to either side in turn

@@ -12,7 +12,8 @@ namespace {
 
 constexpr double drain = 1, lastWords = 3, byeWithin = 1;  // [s]
 
-/// One that nobody has now. The server opens it in a moment, and ends with its error if another was quicker.
+/// A port that no program uses now. The server opens it soon after, and ends with an error if another program
+/// was quicker.
 int freePort() {
   int port = 0;
   ::close(farm::listenOn("127.0.0.1", 0, port));

@@ -28,7 +28,8 @@ public:
     int drawingPort = 32769;           ///< UDP on the loopback interface; -1: none
     bool drawingPortOptional = false;  ///< go without if it cannot be had
     std::string record{};              ///< file; empty: none
-    /// Told once, in the feed's thread or its destructor, why the recording ended before the match.
+    /// Called once, in the feed's thread or its destructor, with the reason why the recording ended before
+    /// the match.
     std::function<void(const std::string&)> recordingLost{};
   };
   /// Throws std::runtime_error, one line, if the drawing port or the file cannot be had.

@@ -25,7 +25,7 @@ scripts/check_floors.sh || fail "a module with its test refused"
 # Where something is.
 mkdir -p config/{modules,motions,robots/type3/motions,platforms/rig} doc/{reference,decisions,results} tests/{e2e,support,data/samples} src/representations/perception
 mkdir -p {src,tests}/modules/perception/eye
-sed -i '/^MODULE/i #include "modules/perception/eye/Lens.h"\n\n/// Sees what\n/// is far.' src/modules/perception/Seer.h
+sed -i '/^MODULE/i #include "modules/perception/eye/Lens.h"\n#include "representations/perception/Sight.h"\n\n/// Sees what\n/// is far.' src/modules/perception/Seer.h
 printf '/// Bends light.\nclass Lens {};\n' > src/modules/perception/eye/Lens.h
 printf '#include "modules/perception/eye/Lens.h"\n' |
   tee tests/modules/perception/eye/LensTest.cpp > tests/modules/perception/ViewTest.cpp
@@ -40,8 +40,10 @@ printf '## Seer\n\n| `focus` | double | 0.5 | m | 0 … 1 | of the eye |\n' > do
 printf 'The `Seer` sees.\n' | tee doc/reference/{seeing,framework}.md doc/decisions/0001-eyes.md > doc/results/seen.md
 printf 'A Seer of old.\n' > doc/reference/legends.md # a common word is no module
 printf 'bin/agent --modules Seer\n' > tests/e2e/see.sh
-# Tests that run it with others: by a fixture, as one of all, in agents of its platform.
+# Tests that run it with others: by a fixture (a comment is none), as one of all, in agents of its platform.
 printf 'std::string look() {\n  return R"(Seer Sight\n)";\n}\nstd::string lookAround() {\n  return look() + "";\n}\nint blind() {\n}\n' > tests/support/Eyes.cpp
+printf '/// How it is used: ModuleHarness<Seer>\n' > tests/support/Harness.h
+printf '#include "support/Harness.h"\n' > tests/modules/perception/PlainTest.cpp
 for call in lookAround blind; do printf '#include "support/Eyes.h"\n%s();\n' $call > tests/modules/perception/${call^}Test.cpp; done
 printf 'Registry::instance().modules()\n' > tests/modules/EachTest.cpp
 printf 'constexpr const char* defaultPlatform = "rig";\n' >> src/main/agent.cpp
@@ -60,6 +62,7 @@ expect "where: a module" "$text" 'module Seer
   parts       src/modules/perception/eye/Lens.h
   requires    Picture, all Eye, Glance (of the cycle before), Lamp (if provided)
   provides    Sight
+  their files src/representations/perception/Sight.h
   parameters  focus=0.5 m (0…1); what each does: doc/reference/parameters.md#seer
   data        config/Seer.yaml, config/robots/type3/Seer.yaml, config/glasses.yaml, config/night.yaml, config/worlds/
   runs by     config/modules/perception.cfg

@@ -8,7 +8,8 @@ namespace plumbline::gap {
 inline constexpr std::array<double, 2> otherWay{0, 0.5};  // share of the friction that is there both ways
 
 /// Dry friction that is stronger one way: a positive value against positive motion, a negative one against
-/// negative motion. Beside a servo it is the same as Coulomb friction of the mean with a constant torque.
+/// negative motion. At a joint with a servo it acts as Coulomb friction of the mean and a constant torque do
+/// together.
 const Effect asymmetricFriction{
     .id = "asymmetric_friction",
     .order = 400,

@@ -4,12 +4,12 @@
 #include <cmath>
 #include <functional>
 
+#include "gap/inference/Groups.h"
 #include "gap/inference/Likelihood.h"
 #include "gap/inference/MostToGain.h"
 #include "gap/inference/PossibleKinds.h"
 #include "gap/inference/Score.h"
 #include "gap/inference/Strengths.h"
-#include "gap/inference/Visible.h"
 
 namespace plumbline::gap {
 

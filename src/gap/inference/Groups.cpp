@@ -13,8 +13,6 @@ namespace {
 
 constexpr std::size_t numStretches = 4;
 constexpr double enoughSeconds = 30;  // of recordings, to separate causes
-constexpr double engines =
-    0.5;  // of a channel's noise: what two engines differ by with one and the same model
 
 std::vector<Trial> withCurrentSides(std::vector<Trial> trials) {
   findCurrentSide(trials);
@@ -97,7 +95,7 @@ void Groups::number() {
                         s,
                         bounds[part],
                         stretches_ ? bounds[part + 1] : bounds.back(),
-                        use.noise * std::hypot(1, engines)};
+                        use.noise * std::hypot(1, enginesDiffer)};
         bool any = false;
         for (std::size_t k = cell.from; k < cell.to && !any; ++k)
           any = std::isfinite(trial.signals[s].values[k]);

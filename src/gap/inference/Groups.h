@@ -8,6 +8,10 @@
 
 namespace plumbline::gap {
 
+/// Two engines that integrate one model differ by this share of a channel's noise. What changes every channel
+/// by less says how the replay is computed, and nothing about the robot.
+constexpr double enginesDiffer = 0.5;
+
 /// A stretch of one channel of one trial: the smallest thing that is scored by itself.
 struct Cell {
   std::size_t group = 0, trial = 0, signal = 0;

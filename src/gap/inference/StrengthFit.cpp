@@ -5,7 +5,7 @@
 #include <numeric>
 
 #include "gap/inference/CellScale.h"
-#include "gap/inference/Visible.h"
+#include "gap/inference/Groups.h"
 
 namespace plumbline::gap {
 

@@ -106,8 +106,8 @@ void keepWhereBorneOut(std::vector<double>& variance, const std::vector<double>&
           std::max(0.0, (noVarianceRatio - squares[k] / variance[k]) / (noVarianceRatio - fullVarianceRatio));
 }
 
-/// Mean and smoothed variance of one signal over the members; the variance is that of a further one around
-/// their mean.
+/// Mean and smoothed variance of one signal over the members. The variance is that of one more member, which
+/// is not among them, around their mean.
 void combine(const std::vector<Prediction>& all, const Prediction& calm, const Trial& trial,
              std::size_t signal, std::size_t cycles, Prediction& result) {
   const double n = static_cast<double>(all.size());

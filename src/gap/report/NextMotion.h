@@ -26,7 +26,7 @@ struct NextMotion {
 struct NextMotionOptions {
   std::vector<int> joints;    ///< that the designed programs move; empty: those of the explanations
   bool fromFirst = false;     ///< only pairs with the first explanation count, not every pair
-  bool floatingBase = false;  ///< also use programs of the library for one
+  bool floatingBase = false;  ///< also programs of config/excitation/ for a floating base
   std::function<void(double share)> progress = {};
 };
 

@@ -13,17 +13,17 @@ void AccEvaluator::init() { contacts_.reserve(4); }
 void AccEvaluator::findContacts() {
   contacts_.clear();
   const RobotModel& model = theRobotDescription->model;
-  const auto add = [&](const char* link, const FootForceData& sensor) {
-    const int index = model.linkIndex(link);
+  const auto add = [&](JointId movedBy, const FootForceData& sensor) {
+    const int index = model.linkOfJoint[movedBy];
     if (index < 0 || !sensor.contact) return;
     // The sensor's frame sits in the middle of the body, the link's on its joint.
     const Vec3 point = model.links[static_cast<std::size_t>(index)].com + sensor.point;
     contacts_.push_back({index, point, sensor.force.norm()});
   };
-  add("lFoot", theSensorData->leftFoot);
-  add("rFoot", theSensorData->rightFoot);
-  add("lToe", theSensorData->leftToe);
-  add("rToe", theSensorData->rightToe);
+  add(lAnkleRoll, theSensorData->leftFoot);
+  add(rAnkleRoll, theSensorData->rightFoot);
+  add(lToePitch, theSensorData->leftToe);
+  add(rToePitch, theSensorData->rightToe);
 }
 
 void AccEvaluator::update(Odometry* theOdometry) {

@@ -18,7 +18,7 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double helloPatience = 10, syncEvery = 1, farewell = 2;  // [s]
+constexpr double syncEvery = 1, farewell = 2;  // [s]
 constexpr int tickMilliseconds = 100, clientsAtOnce = 256;
 constexpr double forgetting = 0.01;  // of the mean of costs
 constexpr std::size_t maxWaiting = 4 * maxLine;
@@ -152,7 +152,7 @@ void FarmServer::giveWork() {
 
 void FarmServer::sweep() {
   for (auto client = clients_.begin(); client != clients_.end();) {
-    const bool silent = client->worker < 0 && now() - client->since > helloPatience;
+    const bool silent = client->worker < 0 && now() - client->since > options_.helloPatience;
     if (!client->socket.broken() && !silent && !(client->ends && client->socket.sentAll())) {
       ++client;
       continue;

@@ -21,6 +21,7 @@ struct FarmOptions {
   std::string token;  ///< what clients have to say; empty: nothing, on loopback only
   DispatchOptions dispatch{};
   std::size_t maxClients = 1024;  ///< of more, one that has said nothing gives way to a newcomer
+  double helloPatience = 10;      ///< for a client that has said nothing [s]
 };
 
 /// What the server has seen since it began.

@@ -74,8 +74,8 @@ Limb limbOf(const RobotModel& model, int link) {
   return limb;
 }
 
-/// An arm, a limb with a shoulder, is looked at with all its boxes and the torso; another limb's box not with
-/// the one that it hangs on.
+/// Whether two bodies that overlap count as no collision. Of an arm (a limb with a shoulder) every box is
+/// compared with the torso. In other limbs a box is not compared with the one that it hangs on.
 bool exempt(const RobotModel& model, int a, int b) {
   if (hangsOn(model, b) != a) return false;
   const int root = limbRoot(model, b);

@@ -43,8 +43,8 @@ StandUpTask::StandUpTask(const StandUpOptions& options)
 }
 
 bool StandUpTask::fits(const MotionTrial& trial) const {
-  // A fall that ends otherwise, or on the feet, is another motion's. Limbs that overlap would freeze when the
-  // motion begins.
+  // A robot that came to lie on another side, or is on its feet, needs another motion. Limbs that overlap
+  // would freeze when the motion begins.
   return liesAs(trial, direction_) && !trial.robot.overlaps() && !trial.robot.frozen().any();
 }
 

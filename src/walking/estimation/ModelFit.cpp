@@ -103,7 +103,7 @@ ModelFitResult fitModel(std::span<const ObservedStep> steps, const ModelParamete
   };
   // Steps of one kind of walking determine some parameters badly, so none used for planning goes far in one
   // fit.
-  constexpr double furthestPlanned = 2, anywhere = 1e3;
+  constexpr double furthestPlanned = 2, anywhere = std::numeric_limits<double>::infinity();
   const auto predicting =
       search(spaceFrom(options.prediction, anywhere), options, result.bestPrediction, costOf);
   if (!predicting) return result;

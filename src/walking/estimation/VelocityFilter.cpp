@@ -30,8 +30,8 @@ void VelocityFilter::reset(const Vec2& velocity) {
 void VelocityFilter::predict(const WalkModel& model, const WalkState& before, const WalkAction& action,
                              double dt, const VelocityEvidence& evidence) {
   const Eigen::Rotation2Dd turned(action.duration > 0 ? -action.turn * dt / action.duration : 0);
-  // The feet do not feel a push by another robot, so some particles must find it: the strays about the
-  // velocity that is seen, as many others about the one that was known.
+  // The feet do not feel a push by another robot, so some particles, the strays, must find it. They are drawn
+  // around the velocity that is seen, and as many others around the estimate before.
   const std::size_t strays = numStrays(evidence);
   WalkState state = before;
   for (std::size_t i = 0; i < particles_.size(); ++i) {

@@ -90,7 +90,7 @@ TEST_F(EvaluatorTest, ofARobotThatStepsTheWorstSixthHasGoneAstray) {
 
 /// A recording of an elbow that swings between the flanks of its gear, with teeth and a phase of its
 /// own.
-Evidence huntingElbow(const Mechanism& arm, double play) {
+Evidence elbowWithLimitCycle(const Mechanism& arm, double play) {
   Plant plant = nominalPlant(arm);
   plant.joints[1].backlash = play;
   plant.joints[1].linkEncoder = true;
@@ -101,9 +101,9 @@ Evidence huntingElbow(const Mechanism& arm, double play) {
   return Evidence{{recorded(plant, armTrial(arm, 12), 5e-4, 3, options)}};
 }
 
-TEST_F(EvaluatorTest, playThatHuntsFitsBestAtItsOwnSize) {
-  const Evidence hunting = huntingElbow(arm, 0.04);
-  Evaluator evaluator(arm, hunting);
+TEST_F(EvaluatorTest, backlashWithALimitCycleFitsBestAtItsOwnSize) {
+  const Evidence evidence = elbowWithLimitCycle(arm, 0.04);
+  Evaluator evaluator(arm, evidence);
   const auto fitting = [&](double play) {
     Cause cause = causeOfArm("backlash", "elbow", play);
     cause.variant = 1;
@@ -115,8 +115,8 @@ TEST_F(EvaluatorTest, playThatHuntsFitsBestAtItsOwnSize) {
 }
 
 TEST_F(EvaluatorTest, aBaseInDoubtCostsWhatItCostsAsACandidate) {
-  const Evidence hunting = huntingElbow(arm, 0.04);
-  Evaluator evaluator(arm, hunting);
+  const Evidence evidence = elbowWithLimitCycle(arm, 0.04);
+  Evaluator evaluator(arm, evidence);
   Cause play = causeOfArm("backlash", "elbow", 0.04);
   play.variant = 1;
   const double asCandidate = evaluator.with(play).judging, nominal = evaluator.baseFit().judging;

@@ -37,7 +37,7 @@ protected:
   Evaluator evaluator{arm, evidence};
 };
 
-TEST_F(PossibleCausesTest, aJointWithACauseDoesNotHuntAsWell) {
+TEST_F(PossibleCausesTest, aJointWithACauseHasNoLimitCycleAsWell) {
   evaluator.setBase({});
   EXPECT_EQ(variants("backlash", "shoulder"), 3u);
   EXPECT_EQ(variants("backlash", "elbow"), 3u);

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <string>
+
 #include "../LegOnItsFoot.h"
 
 namespace plumbline::gap {
@@ -32,6 +34,30 @@ TEST(Groups, thoseWithAFixedBaseAsOne) {
     EXPECT_TRUE(other.holds(expected[t], t));
   }
   EXPECT_EQ(other.cells().size(), groups.cells().size());
+}
+
+// Segments of long recordings, 10 s each: of two recordings all that is needed is half a minute, of each.
+TEST(Groups, someOfLongRecordingsIsEnoughAndEachRecordingHasASay) {
+  const auto cut = [](int recordings, int segments) {
+    std::vector<Trial> trials;
+    for (int r = 0; r < recordings; ++r)
+      for (int s = 0; s < segments; ++s) {
+        Trial trial = armTrial(twoJointArm(), 10, 0.5 - 0.05 * r);
+        trial.recording = trial.name = "run" + std::to_string(r);
+        trials.push_back(recorded(nominalPlant(*trial.robot), trial, 5e-4, 3 + trials.size()));
+      }
+    return trials;
+  };
+  const auto takenOf = [&](int recordings, int segments) {
+    const std::vector<char> taken = enoughTrials(Groups(cut(recordings, segments)));
+    std::vector<int> perRecording(static_cast<std::size_t>(recordings), 0);
+    for (std::size_t t = 0; t < taken.size(); ++t)
+      perRecording[t / static_cast<std::size_t>(segments)] += taken[t];
+    return perRecording;
+  };
+  EXPECT_EQ(takenOf(2, 3), (std::vector<int>{2, 2}));
+  EXPECT_EQ(takenOf(5, 2), (std::vector<int>(5, 1))) << "each has its first";
+  EXPECT_EQ(takenOf(2, 1), (std::vector<int>{1, 1})) << "less than that is all taken";
 }
 
 TEST(Groups, numbersStayInOrderWhereOneIsLeftOut) {

@@ -3,6 +3,8 @@
 #include <gtest/gtest.h>
 
 #include "math/Angle.h"
+#include "robot/HumanoidModel.h"
+#include "robot/MechanismFile.h"
 #include "simspark/LeagueRobots.h"
 #include "support/ModuleHarness.h"
 
@@ -41,6 +43,16 @@ TEST_F(AccEvaluatorTest, theTorsoGoesOverTheFootThatCarries) {
   EXPECT_NEAR(at(0.01).x(), 0.01, 1e-12);
   EXPECT_NEAR(at(0.03).x(), 0.02, 1e-12);
   EXPECT_NEAR(odometry.total.x(), 0.03, 1e-12);
+}
+
+TEST_F(AccEvaluatorTest, aRobotWhoseFileNamesItsFeetInItsOwnWayMovesAsWell) {
+  robot.model = Humanoid(findMechanism("nao_v5")).model();
+  links.assign(robot.model.links.size(), Pose3::Identity());
+  const auto foot = static_cast<std::size_t>(robot.model.linkIndex("l_ankle"));
+  harness.cycle();
+  links[foot] = translation(-0.01, 0, 0);
+  harness.cycle();
+  EXPECT_NEAR(odometry.step.x(), 0.01, 1e-12);
 }
 
 TEST_F(AccEvaluatorTest, theTurnIsTheGyroscopesFromTheSecondCycleOn) {

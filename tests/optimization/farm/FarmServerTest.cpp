@@ -7,7 +7,6 @@
 #include <unistd.h>
 
 #include <atomic>
-#include <chrono>
 #include <list>
 #include <thread>
 
@@ -170,15 +169,15 @@ TEST(FarmServer, wantsTheTokenThatItWasGiven) {
 
 TEST(FarmServer, silentConnectionsGiveWay) {
   Search farmed = serverSearch(2);
-  Running running(farmed, {"127.0.0.1", 0, "", {}, 50});
+  // No silence is too long, so one that comes late gets in only if another gives way, however busy the
+  // machine is.
+  Running running(farmed, {"127.0.0.1", 0, "", {}, 50, 1e9});
   FarmClient early(running.address(), "early");
   std::list<LineSocket> silent;
   for (int i = 0; i < 100; ++i)
     silent.emplace_back(connectTo("127.0.0.1", running.server.port()), maxLine, maxLine);
   silent.back().send("{\"hello\": \"work");
-  const auto begin = std::chrono::steady_clock::now();
   FarmClient(running.address(), "late");
-  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5)) << "they have ten seconds";
   std::string line;
   while (!silent.front().next(line) && !silent.front().broken()) silent.front().wait(farOff);
   EXPECT_EQ(line, R"({"error":"you have said nothing, and others need the place"})");

@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robot/ForwardKinematics.h"
+#include "robot/LegKinematics.h"
 #include "simspark/LeagueRobots.h"
 #include "walking/StandingAngles.h"
 
@@ -71,6 +72,22 @@ TEST_F(LegLoadTest, aShoulderHoldsTheWeightOfItsArmTimesHowFarItReaches) {
   }
   EXPECT_NEAR(std::abs(load.update(ahead, Vec2::Zero(), {0.5, 0.5}, Vec2::Zero())[lShoulderPitch]), moment,
               1e-3 * moment);
+}
+
+// A robot that falls lies when its mass is some 5 cm above its soles: before that its legs carry it.
+TEST_F(LegLoadTest, aRobotThatFallsIsCarriedUntilItLies) {
+  ForwardKinematics kinematics(robot);
+  kinematics.update(standing);
+  const LegKinematics leg(robot, Side::left);
+  const Vec3 sole = kinematics.link(robot.linkOfJoint[lAnkleRoll]) * leg.T_foot_sole().translation();
+  const Vec3 toMass = kinematics.com() - sole;
+  // The lean about y at which the mass is so high above the left sole.
+  const auto kneeAt = [&](double height) {
+    double lean = 0;
+    while (lean < pi && (rotationY(lean).linear() * toMass).z() > height) lean += 1e-4;
+    return load.update(standing, Vec2(0, lean), {1, 0}, Vec2::Zero())[lKneePitch];
+  };
+  EXPECT_GT(std::abs(kneeAt(0.06)), 5 * std::abs(kneeAt(0.04)));
 }
 
 TEST_F(LegLoadTest, aMassThatIsNotAboveItsFeetIsNotPushed) {

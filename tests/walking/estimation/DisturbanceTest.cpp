@@ -68,6 +68,30 @@ TEST_F(DisturbanceTest, aPushIsRecoveredFromForAWhileAndNotLearnt) {
   EXPECT_EQ(disturbance.share(), 0);
 }
 
+// A push has to last to be taken for usual: what is far off is learnt no faster than two centimetres.
+TEST_F(DisturbanceTest, aFootFarOffIsLearntNoFasterThanOneTwoCentimetresOff) {
+  p.recovery.full = 0;
+  const auto learntOf = [&](double offset) {
+    disturbance.reset();
+    cycle(Vec2(offset, 0), Vec2::Zero());
+    cycle(Vec2(offset, 0), Vec2::Zero());
+    return offset - disturbance.foot().x();
+  };
+  EXPECT_GT(learntOf(0.018), 1.1 * learntOf(0.016));
+  EXPECT_NEAR(learntOf(0.1), learntOf(0.02), 1e-12);
+  EXPECT_NEAR(learntOf(0.02), 0.2 * 0.02, 1e-12) << "two steps of 0.1 s of a window of 1 s";
+}
+
+// An error that changes within a step is usual, too: each eighth of it has its own.
+TEST_F(DisturbanceTest, whatChangesFromEighthToEighthOfAStepIsUsual) {
+  const auto speed = [](int part) { return Vec2(part % 2 == 0 ? 0.05 : -0.05, 0); };
+  for (int i = 0; i < 800; ++i) cycle(Vec2::Zero(), speed(i), (i % 8 + 0.5) / 8);
+  for (int i = 0; i < 8; ++i) {
+    cycle(Vec2::Zero(), speed(i), (i + 0.5) / 8);
+    EXPECT_NEAR(disturbance.velocity().x(), 0, 1e-6) << i;
+  }
+}
+
 TEST_F(DisturbanceTest, withoutBoundsItNeverRecovers) {
   p.recovery.full = 0;
   cycle(Vec2(0, 0), Vec2(1, 1));

@@ -118,6 +118,17 @@ TEST(ModelFit, aRobotFartherOffThanAnyThatIsLookedForEndsAtTheBound) {
   }
 }
 
+// Steps of one kind of walking say little of another one, so a fit for planning goes two typical deviations
+// at most. That is 4 cm of the mass's height, and enough for this robot.
+TEST(ModelFit, aFitForPlanningFindsAMassThreeCentimetresHigher) {
+  ModelParameters truth;
+  truth.massOffsetZx = 0.1;  // the price of changes leaves a third of it
+  const ModelFitResult result = fitModel(stepsOf(truth, 30, 0), {});
+  EXPECT_TRUE(result.accepted);
+  EXPECT_LE(result.parameters.massOffsetZx, 0.04 + 1e-12);
+  EXPECT_GT(result.parameters.massOffsetZx, 0.03);
+}
+
 TEST(ModelFit, doesNoHarmWhereThereIsNone) {
   for (std::uint64_t seed = 1; seed <= 5; ++seed) {
     const auto steps = stepsOf({}, 30, 0.002, seed);

@@ -1,6 +1,7 @@
 #include "modules/modeling/ground/TorsoHeight.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
@@ -23,11 +24,13 @@ double reach(const Shape& shape, const Vec3& u) {
 }  // namespace
 
 TorsoHeight::TorsoHeight(const RobotModel& model) {
+  constexpr std::array feet{lAnkleRoll, rAnkleRoll, lToePitch, rToePitch};
   for (std::size_t i = 0; i < model.links.size(); ++i) {
     const Link& link = model.links[i];
     if (link.collides) all_.push_back({i, link.shape});
-    if (link.name.ends_with("Foot") || link.name.ends_with("Toe")) feet_.push_back({i, link.shape});
+    if (std::ranges::find(feet, link.joint) != feet.end()) feet_.push_back({i, link.shape});
   }
+  if (feet_.empty()) feet_ = all_;
 }
 
 double TorsoHeight::aboveFeet(const Vec3& up, std::span<const Pose3> T_torso_link) const {

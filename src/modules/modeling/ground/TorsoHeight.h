@@ -11,7 +11,9 @@ class TorsoHeight {
 public:
   explicit TorsoHeight(const RobotModel& model);
 
-  /// Above the lowest point of feet and toes [m]; up: unit, torso frame; T_torso_link: one per link.
+  /// Above the lowest point of feet and toes, the links that an ankle's roll or a toe's pitch moves [m]. A
+  /// robot without ankles stands on whatever of it is lowest. up: unit, torso frame; T_torso_link: one per
+  /// link.
   double aboveFeet(const Vec3& up, std::span<const Pose3> T_torso_link) const;
   /// Above the lowest point of all bodies that collide: for a robot that lies [m].
   double aboveLowestPoint(const Vec3& up, std::span<const Pose3> T_torso_link) const;
