@@ -268,7 +268,7 @@ visit() { # file of its first lines
 portIn() { sed -n 's/.*"'"$2"'": *\([0-9]*\).*/\1/p' "$1"; }
 stopAfterStart() { # seconds, command...: interrupts it so long after its first line, however long that took
   local result
-  "${@:2}" > started.out &
+  env --default-signal=INT "${@:2}" > started.out & # a shell's background programs ignore it, until they catch it
   local program=$!
   waitFor $patience hasSaid started.out $program
   [[ ! ${visitor-} ]] || $visitor started.out

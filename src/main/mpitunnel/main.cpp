@@ -97,7 +97,7 @@ int runProgram(int argc, char** argv) {
     }
     if (transport.rank() == 0)
       std::fprintf(stderr, "mpitunnel: %s\n",
-                   stop.requested() ? stop.reason().c_str() : "a rank failed or was ended, and so all end");
+                   stop.requested() ? stop.reason().c_str() : "a rank failed or was stopped, and so all end");
     std::fflush(nullptr);
     _exit(end.status);
   } catch (const std::exception& error) {
