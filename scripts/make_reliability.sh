@@ -90,6 +90,11 @@ measured() {
   printf '\n## Long games\n\n'
   if compgen -G 'build/soak/*.txt' > /dev/null; then
     for file in build/soak/*.txt; do echo "\`make soak\`, $(dated "$file"), $here: $(cat "$file")." && echo; done
+    # Games of other numbers of agents stay.
+    missing "Long games" "make soak" | grep "^\`make soak\`" | while read -r line; do
+      number=$(sed -n 's/.*: \([0-9]*\) agents, .*/\1/p' <<< "$line")
+      [[ -s build/soak/$number.txt ]] || printf '%s\n\n' "$line"
+    done
   else missing "Long games" "make soak"; fi
   printf '\n## Lines that the tests run\n\n`make coverage`: [coverage.md](coverage.md).\n'
   echo

@@ -37,7 +37,7 @@ judge
 expect "memory that grows: status" $? 1
 
 # The page keeps the rows of jobs that a run leaves out.
-mkdir -p doc/results build/{faults,fuzz} tests/fuzz
+mkdir -p doc/results build/{faults,fuzz,soak} tests/fuzz
 touch tests/fuzz/Readers.cpp
 cat > doc/results/reliability.md << 'END'
 <!-- measured -->
@@ -64,10 +64,17 @@ cat > doc/results/reliability.md << 'END'
 
 168 faults in 2 jobs, 0 broke something.
 
+## Long games
+
+`make soak`, 2026-01-01, 2 cores: 1 agents, 1439 simulated minutes: as before.
+
+`make soak`, 2026-01-01, 2 cores: 22 agents, 12 simulated minutes: as before.
+
 <!-- /measured -->
 END
 printf 'job write sync rename open malloc places broken\nsecond 2 2 1 1 60 60 1\nthird 0 0 0 0 7 7 0\n73 faults in 2 jobs, 1 broke something\n' > build/faults/table.txt
 printf 'target executions branches seconds result\njson 900 40 60 nothing found\n900 executions, 0 of 1 targets broke\n' > build/fuzz/table.txt
+echo "22 agents, 90 simulated minutes: as now" > build/soak/22.txt
 scripts/make_reliability.sh > /dev/null || fail "no page"
 page=$(< doc/results/reliability.md)
 contains "other jobs" "$page" '| first | 4 | 3 | 2 | 3 | 100 | 100 | 0 |
@@ -79,4 +86,7 @@ contains "other targets" "$page" '| agent | 100 | 20 | 20 | nothing |
 | json | 900 | 40 | 60 | nothing |
 
 1000 executions, 0 of 2 targets broke. Of this run: json.'
+contains "a longer game of other agents" "$page" "1 agents, 1439 simulated minutes: as before."
+contains "a new game of as many agents" "$page" "22 agents, 90 simulated minutes: as now."
+lacks "a new game of as many agents" "$page" "12 simulated minutes"
 finish
