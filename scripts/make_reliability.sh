@@ -1,7 +1,7 @@
 #!/usr/bin/env bash
 # Writes doc/results/reliability.md from what `make fuzz`, `make faults`, `make kills`, `make stops` and `make soak` left
 # in build/. What was not run here keeps the section that the page has, and each section says where and when it was measured.
-# Jobs that a run of `make kills` or `make stops` leaves out keep their rows of the page.
+# Jobs and targets that a run of `make fuzz`, `make faults`, `make kills` or `make stops` leaves out keep their rows of the page.
 #   scripts/make_reliability.sh
 # Example: make faults && scripts/make_reliability.sh
 set -euo pipefail
@@ -26,20 +26,27 @@ missing() {
   before=$(awk -v head="## $1" '$0 == head { on = 1; next } /^## / || /^<!-- \/measured/ { on = 0 } on' $page | sed -e '/./,$!d' | sed -e :a -e '/^\n*$/{$d;N;ba' -e '}')
   if [[ $before ]]; then printf '%s\n' "$before"; else printf 'Not measured yet: `%s`.\n' "$2"; fi
 }
-# The table ($2) with the rows that the page's section ($1) has of other jobs, where its columns are the same; the last line
-# counts what is in it.
+# The table ($2) with the rows that the page's section ($1) has of other jobs, where its columns are the same. The last line
+# counts what is in it: the sum of columns 2 to $4, whose unit is $3.
 joined() {
-  missing "$1" "" | awk -v unit="$3" '
+  missing "$1" "" | awk -v unit="$3" -v last="$4" '
     function put(job, line) { if (!(job in row)) order[++n] = job; row[job] = line }
     FNR == NR && (!/^\|/ || /^\|---/) { next }
     FNR == NR { gsub(/^\| | \|$/, ""); gsub(/ \| /, " "); if (!head) head = $0; else { put($1, $0); old[$1] } next }
     FNR == 1 { $1 = $1; if ($0 != head) { split("", row); n = 0 } print; next }
-    $2 == unit { if (match($0, /seed [0-9]+/)) seed = ", " substr($0, RSTART, RLENGTH); next } # its own last line
+    $2 == unit || $2 == unit "," { if (match($0, /seed [0-9]+/)) seed = ", " substr($0, RSTART, RLENGTH); next } # its own last line
     { $1 = $1; put($1, $0); delete old[$1]; names = names (names ? ", " : "") $1 }
     END {
-      for (i = 1; i <= n; ++i) { print row[order[i]]; count = split(row[order[i]], part, " "); sum += part[2]; broken += part[count]; older += (order[i] in old) }
+      for (i = 1; i <= n; ++i) {
+        print row[order[i]]
+        count = split(row[order[i]], part, " ")
+        for (j = 2; j <= last; ++j) sum += part[j]
+        broken += unit == "executions" ? part[5] != "nothing" : part[count]
+        older += (order[i] in old)
+      }
       of = older ? ". Of this run" seed ": " names : seed ? " (" substr(seed, 3) ")" : ""
-      printf "%d %s in %d jobs, %d broke something%s\n", sum, unit, n, broken, of
+      if (unit == "executions") printf "%d executions, %d of %d targets broke%s\n", sum, broken, n, of
+      else printf "%d %s in %d jobs, %d broke something%s\n", sum, unit, n, broken, of
     }' - "$2"
 }
 # A section: title, command, table, two lines about the figures.
@@ -48,9 +55,10 @@ measured() {
   if [[ ! -s $3 ]]; then missing "$1" "$2"; return; fi
   printf '`%s`, %s, %s: %s\n%s\n\n' "$2" "$(dated "$3")" "$here" "$4" "$5"
   case $1 in
-    Kills | Stops) joined "$1" "$3" "${1,}" > "$3.joined" && table "$3.joined" ;;
-    *) table "$3" ;;
-  esac
+    Kills | Stops) joined "$1" "$3" "${1,}" 2 ;;
+    Calls*) joined "$1" "$3" faults 6 ;;
+  esac > "$3.joined"
+  table "$3.joined"
 }
 {
   sed "/$mark/q" $page
@@ -61,7 +69,8 @@ measured() {
     echo "\`make fuzz\`, $(dated build/fuzz/table.txt), $here:"
     echo
     sed 's/nothing found/nothing/' build/fuzz/table.txt > build/fuzz/words.txt
-    table build/fuzz/words.txt
+    joined "Readers under libFuzzer" build/fuzz/words.txt executions 2 > build/fuzz/joined.txt
+    table build/fuzz/joined.txt
   else missing "Readers under libFuzzer" "make fuzz"; fi
   printf '\n## Damaged inputs in every test run\n\n'
   cat tests/fuzz/*.cpp | awk '
@@ -81,6 +90,11 @@ measured() {
   printf '\n## Long games\n\n'
   if compgen -G 'build/soak/*.txt' > /dev/null; then
     for file in build/soak/*.txt; do echo "\`make soak\`, $(dated "$file"), $here: $(cat "$file")." && echo; done
+    # Games of other numbers of agents stay.
+    missing "Long games" "make soak" | grep "^\`make soak\`" | while read -r line; do
+      number=$(sed -n 's/.*: \([0-9]*\) agents, .*/\1/p' <<< "$line")
+      [[ -s build/soak/$number.txt ]] || printf '%s\n\n' "$line"
+    done
   else missing "Long games" "make soak"; fi
   printf '\n## Lines that the tests run\n\n`make coverage`: [coverage.md](coverage.md).\n'
   echo

@@ -43,7 +43,8 @@ Situation situationOfLog(record::LogReader& log, const record::LogReader::Thread
     throw std::runtime_error(
         fmt::format("{}: at {:.2f} s the player believes in a team of {}; take another time", log.path(),
                     cycle.time(), most));
-  std::ranges::stable_partition(situation.others, &OtherRobot::mate);
+  std::stable_partition(situation.others.begin(), situation.others.end(),  // clang 14 has no ranges' one
+                        [](const OtherRobot& robot) { return robot.mate; });
   kind.take(cycle, situation);
   return situation;
 }

@@ -16,8 +16,9 @@
 // FAULT_LOG gets a line "KIND N" for a call that failed, and with FAULT=count at the end a line "KIND CALLS"
 // for each kind. Of a signal: "sent MICROSECONDS" by the clock, "caught 1" where the program had a handler,
 // and at the program's end "ended MICROSECONDS" and "cpu MICROSECONDS", what it computed since.
-// FAULT_PROGRAM: only in the program of that name, not in those that it starts. FAULT_PLACES gets with
-// FAULT=count a line "place N" for the first allocation from each place of the program. FAULT_PATIENCE:
+// FAULT_PROGRAM: only in the program of that name, not in those that it starts. FAULT_LEAVES_OUT: words with
+// : between them; calls from libraries whose path has one of them neither count nor fail. FAULT_PLACES gets
+// with FAULT=count a line "place N" for the first allocation from each place of the program. FAULT_PATIENCE:
 // seconds until a program that hangs is ended by SIGALRM.
 #define _GNU_SOURCE
 #include <dlfcn.h>
@@ -57,6 +58,27 @@ enum { DEPTH = 5, PLACES = 1 << 16 };
 static atomic_ulong places[PLACES];
 static const char* placeFile;
 static _Thread_local int looking;  // the first backtrace() allocates
+
+// Whether a library that is left out makes this call, itself or by another one.
+static const char* leftOut;
+static int isLeftOut(void) {
+  enum { DEEP = 48 };
+  void* from[DEEP];
+  looking = 1;
+  const int count = backtrace(from, DEEP);
+  int found = 0;
+  for (int i = 0; i < count && !found; ++i) {
+    Dl_info library;
+    if (!dladdr(from[i], &library) || !library.dli_fname) continue;
+    for (const char* word = leftOut; *word && !found;) {
+      const size_t length = strcspn(word, ":");
+      found = length > 0 && memmem(library.dli_fname, strlen(library.dli_fname), word, length) != NULL;
+      word += length + (word[length] == ':');
+    }
+  }
+  looking = 0;
+  return found;
+}
 
 // By system calls alone: this runs within malloc.
 static void noteIn(const char* file, const char* kind, long n) {
@@ -131,7 +153,7 @@ static void* stopLater(void* unused) {
 }
 
 static int fails(int kind) {
-  if (!atomic_load(&running) || looking) return 0;
+  if (!atomic_load(&running) || looking || (leftOut && isLeftOut())) return 0;
   const long n = atomic_fetch_add(&calls[kind], 1) + 1;
   if (counting && kind == MALLOC && placeFile) notePlace(n);
   if (kind != wanted || (lasting ? n < which : n != which)) return 0;
@@ -305,6 +327,7 @@ static int countedMain(int argc, char** argv, char** environment) {
   const char* program = getenv("FAULT_PROGRAM");
   logFile = getenv("FAULT_LOG");
   placeFile = getenv("FAULT_PLACES");
+  leftOut = getenv("FAULT_LEAVES_OUT");
   const char* name = strrchr(argv[0], '/');
   name = name ? name + 1 : argv[0];
   if (fault && (!program || strcmp(program, name) == 0)) {

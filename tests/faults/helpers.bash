@@ -251,12 +251,27 @@ readableMatch() {
   cat replay.err
   ((result == 0)) || grep -q 'nothing is recorded in it' replay.err || (( $(stat -c %s "$1") < 32 )) # not even a heading
 }
+visitedAfterStart() { local visitor=visit; stopAfterStart "$@"; }
+# Asks for the page whose address a program has printed, and for what is sent to it from then on, without a browser.
+visit() { # file of its first lines
+  local port wire
+  port=$(sed -n 's#.*http://localhost:\([0-9]*\)/.*#\1#p' "$1")
+  [[ $port ]] && { exec {wire}<> "/dev/tcp/127.0.0.1/$port"; } 2> /dev/null || return 0
+  printf 'GET / HTTP/1.1\r\nHost: localhost\r\nConnection: close\r\n\r\n' >&$wire 2> /dev/null
+  timeout 2 cat <&$wire > /dev/null 2>&1
+  exec {wire}>&-
+  { exec {wire}<> "/dev/tcp/127.0.0.1/$port"; } 2> /dev/null || return 0
+  printf 'GET / HTTP/1.1\r\nHost: localhost\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\nSec-WebSocket-Protocol: plumbline\r\nSec-WebSocket-Key: AAAAAAAAAAAAAAAAAAAAAA==\r\n\r\n' >&$wire 2> /dev/null
+  timeout 0.1 cat <&$wire > /dev/null 2>&1
+  exec {wire}>&-
+}
 portIn() { sed -n 's/.*"'"$2"'": *\([0-9]*\).*/\1/p' "$1"; }
 stopAfterStart() { # seconds, command...: interrupts it so long after its first line, however long that took
   local result
-  "${@:2}" > started.out &
+  env --default-signal=INT "${@:2}" > started.out & # a shell's background programs ignore it, until they catch it
   local program=$!
   waitFor $patience hasSaid started.out $program
+  [[ ! ${visitor-} ]] || $visitor started.out
   pause "$1"
   # A second signal would end at once a program that `make stops` has stopped already.
   [[ ${stopped-} && -s $scratch/faults ]] || kill -INT $program 2> /dev/null

@@ -293,3 +293,6 @@ learnvalue_prepare() {
 learnvalue_run() { "$bin/learnvalue" track.csv -o value.yaml; }
 learnvalue_outputs() { echo value.yaml; }
 learnvalue_resumes() { echo value.yaml; }
+
+source tests/faults/recorded_jobs.bash
+source tests/faults/mpi_jobs.bash

@@ -2,6 +2,7 @@
 
 #include <array>
 #include <filesystem>
+#include <new>
 #include <nlohmann/json.hpp>
 #include <sstream>
 #include <stdexcept>
@@ -96,6 +97,8 @@ BlindSet parseBlindSet(const std::string& text) {
       set.cases.push_back(std::move(c));
     }
     return set;
+  } catch (const std::bad_alloc&) {  // says nothing about the text
+    throw;
   } catch (const json::exception&) {
     throw std::invalid_argument("no answers of a benchmark: a field is missing or of another kind");
   } catch (const std::exception& error) {

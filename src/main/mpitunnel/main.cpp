@@ -1,3 +1,4 @@
+#include <fmt/format.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 #include "MpiTransport.h"
 #include "framework/CommandLine.h"
 #include "framework/GuardedMain.h"
+#include "framework/SingleLine.h"
 #include "framework/StopSignal.h"
 #include "tunnel/ServerRank.h"
 #include "tunnel/WorkerRank.h"
@@ -74,11 +76,9 @@ int runProgram(int argc, char** argv) {
   takeCommands(argc, argv, ownCount, options);
   if (const auto status = readCommandLine(app, ownCount, argv)) return *status;
   if (options.server.empty() || options.worker.empty()) {
-    std::fprintf(
-        stderr, "mpitunnel: %s\n",
-        commandLineError(app, std::string("the ") + (options.server.empty() ? "server's" : "worker's") +
-                                  " command is missing: -- SERVER -- WORKER")
-            .c_str());
+    const std::string missing = fmt::format("the {} command is missing: -- SERVER -- WORKER",
+                                            options.server.empty() ? "server's" : "worker's");
+    std::fprintf(stderr, "mpitunnel: %s\n", commandLineError(app, missing).c_str());
     return failed;
   }
   MpiTransport transport(argc, argv);
@@ -97,11 +97,11 @@ int runProgram(int argc, char** argv) {
     }
     if (transport.rank() == 0)
       std::fprintf(stderr, "mpitunnel: %s\n",
-                   stop.requested() ? stop.reason().c_str() : "a rank failed or was ended, and so all end");
+                   stop.requested() ? stop.reason().c_str() : "a rank failed or was stopped, and so all end");
     std::fflush(nullptr);
     _exit(end.status);
   } catch (const std::exception& error) {
-    std::fprintf(stderr, "mpitunnel: rank %d: %s\n", transport.rank(), error.what());
+    std::fprintf(stderr, "mpitunnel: rank %d: %s\n", transport.rank(), errorLine(error).c_str());
     transport.abort(failed);
   }
 }

@@ -129,9 +129,15 @@ void OptimizationClient::end() {
     const Optimizer& optimiser = inAgent_->search.optimizer();
     const motion::KeyframeMotion best =
         inAgent_->task->written(optimiser.favourite(), theFrameInfo->cycleSeconds);
-    writeFile(found, motion::motionFile(best, theRobotDescription->model,
-                                        "Found in the agent: " + std::to_string(optimiser.generations()) +
-                                            " generations, seed " + std::to_string(seed) + "."));
+    const std::string text =
+        motion::motionFile(best, theRobotDescription->model,
+                           "Found in the agent: " + std::to_string(optimiser.generations()) +
+                               " generations, seed " + std::to_string(seed) + ".");
+    try {
+      writeFile(found, text);
+    } catch (const std::runtime_error& error) {  // nothing that comes later would end the agent
+      return requestStop(2, error.what());
+    }
     what += "; found: " + found;
     log << what;
   }

@@ -75,8 +75,8 @@ void takeMates(const CycleOfLog& cycle, Situation& situation) {
     const PlacedPlayer* place = robot.mate && robot.number > 0 ? places.of(robot.number) : nullptr;
     return place && place->placed ? place : nullptr;
   };
-  std::ranges::stable_partition(situation.others,
-                                [&](const OtherRobot& robot) { return placeOf(robot) != nullptr; });
+  std::stable_partition(situation.others.begin(), situation.others.end(),  // clang 14 has no ranges' one
+                        [&](const OtherRobot& robot) { return placeOf(robot) != nullptr; });
   for (const OtherRobot& robot : situation.others)
     if (const PlacedPlayer* place = placeOf(robot)) situation.going.push_back(*place);
 }
