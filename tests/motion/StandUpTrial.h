@@ -12,9 +12,10 @@ constexpr double longestStandUp = 12;  ///< repeats included [s]
 
 struct StandUpResult {
   bool up = false;
-  int tries = 0;        ///< without those that roll it off its side
-  double seconds = 0;   ///< from lying to up for good, repeats and what is between them included
-  bool walked = false;  ///< walked on at once for two seconds
+  LyingOn lay = LyingOn::front;  ///< before the first try
+  int tries = 0;                 ///< without those that roll it off its side
+  double seconds = 0;            ///< from lying to up for good, repeats and what is between them included
+  bool walked = false;           ///< walked on at once for two seconds
 };
 
 /// How a trial's robot comes to lie: MotionTrial::fall or stumble.
@@ -27,6 +28,7 @@ inline std::optional<StandUpResult> standUpTrial(MotionTrial& trial, int directi
   trial.seed(seed);
   if (!(falls == Falls::pushed ? trial.stumble(direction) : trial.fall(direction))) return std::nullopt;
   StandUpResult result;
+  result.lay = lyingOn(trial.up());
   trial.elapsed = 0;
   trial.standUpChoice.forget();
   bool again = false;
