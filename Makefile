@@ -194,24 +194,26 @@ bench-gap-simspark bench-gap-real bench-gap-walk: bench-%:
 	@scripts/make_results.sh $*
 
 # A kick and a stand-up searched with and without drawn robots, tried on another engine and on others (SUBJECTS, SEEDS,
-# TRIES, JOBS, WORKERS); kick positioning from random places (TRIES, SEED, TYPES); shots at a keeper (SHOTS, SEED, TYPES); three against
-# three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); set pieces (TRIES, SEED, PLAYERS, OTHERS); what players
-# believe (GAMES, HALF, SEED, PLAYERS); searches by 1 to 30 workers (SLEEP); how fast a foot is and could be in a kick
-# (BENCH_ARGS=KICKS); the game of `make run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER); the thesis's tables of motions
-# by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE); how long builds take, and
-# `make run` in an empty Debian; what each constant of the diagnosis changes in its answers (DATA, FIT, TESTS). All write
-# their page in doc/results/.
+# TRIES, JOBS, WORKERS); kick positioning from random places (TRIES, SEED, TYPES); shots at a keeper (SHOTS, SEED,
+# TYPES); three against three before a goal (TRIES, SEED, BEFORE=FOLDER of an earlier state); collisions with and
+# without path planning (GAMES, HALF, SEED, JOBS); set pieces (TRIES, SEED, PLAYERS, OTHERS); what players believe
+# (GAMES, HALF, SEED, PLAYERS); searches by 1 to 30 workers (SLEEP); how fast a foot is and could be in a kick
+# (BENCH_ARGS=KICKS); the game of `make run` with many seeds (SEEDS, SEED, TYPES, BEFORE=FOLDER); the thesis's tables of
+# motions by hand and found (TRIES, TYPES); a search of a stand-up against the clock (MINUTES, TYPE); how long builds
+# take, and `make run` in an empty Debian; what each constant of the diagnosis changes in its answers (DATA, FIT,
+# TESTS). All write their page in doc/results/.
 benchBuilds-robust := optserver optworker
 benchBuilds-clients := optserver optworker
 benchBuilds-optimisation-motions := optserver
 benchBuilds-optimisation-standup := optserver optworker
 benchBuilds-saves := agent simulator watchgame
+benchBuilds-collisions := agent simulator watchgame
 benchBuilds-duels := agent simulator bench-duels
 benchBuilds-set-pieces := agent simulator bench-duels
 benchBuilds-beliefs := agent simulator watchgame
 benchBuilds-kick-limit := bench-kick-limit
 buildThemselves := build fresh gap-sensitivity
-ownPage := build fresh gap-sensitivity robust positioning saves duels set-pieces beliefs clients kick-limit goal optimisation-motions optimisation-standup
+ownPage := build fresh gap-sensitivity robust positioning saves duels collisions set-pieces beliefs clients kick-limit goal optimisation-motions optimisation-standup
 $(ownPage:%=bench-%): bench-%:
 	@$(if $(filter $*,$(buildThemselves)),,scripts/build.sh SimRelease $(or $(benchBuilds-$*),agent game simulator))
 	@scripts/run_bench.sh $* || { cat build/bench/$*.log >&2; exit 2; }

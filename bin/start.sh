@@ -6,7 +6,7 @@ bin=$(cd "$(dirname "${BASH_SOURCE[0]}")" && pwd)
 host=127.0.0.1 port=${PLUMBLINE_AGENT_PORT:-3100} monitor=${PLUMBLINE_MONITOR_PORT:-3200}
 team=${PLUMBLINE_TEAM_NAME:-Plumbline} players=11 logs=${PLUMBLINE_LOGS:-} config="" token="" wait=""
 # At most 7 of a type, 9 of any two, three types in a full team.
-types=(4 4 4 2 4 2 4 4 4 3 3)
+types=(4 1 1 3 1 3 1 1 1 1 4)
 
 usage() {
   cat << END

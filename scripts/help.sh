@@ -21,7 +21,7 @@ make stops           SIGINT and SIGTERM in every program, which must end within 
 make soak            a long game: memory and cost of simulator and agents (MINUTES=10, AGENTS=22)
 make bench           run all benchmarks into build/bench/; bench-AREA those of one area
                      (bench-walk, -walk-nao, -walk-fit, -walk-server, -fidelity, -games, -gap, -gap-real, -gap-speed, -gap-walk,
-                     -gap-simspark, -robust, -positioning, -saves, -goal, -clients, -optimisation-motions, -optimisation-standup)
+                     -gap-simspark, -robust, -positioning, -saves, -collisions, -goal, -clients, -optimisation-motions, -optimisation-standup)
 make soak-live       an agent for hours with all that looks into it (HOURS=5); part of doc/results/live.md
 make results         the same, and write doc/results/ from it
 make pictures        make the pictures and sample output of README and doc/ anew

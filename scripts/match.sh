@@ -4,7 +4,7 @@ set -uo pipefail
 bin=$(cd "$(dirname "${BASH_SOURCE[0]}")/../bin" && pwd)
 left=11 right=11 leftName=Plumbline rightName=Line seconds="" page=8080 record="" seed=0 field=() agent=()
 # As in bin/start.sh: at most 7 of a type, 9 of any two, three types in a full team.
-types=(4 4 4 2 4 2 4 4 4 3 3)
+types=(4 1 1 3 1 3 1 1 1 1 4)
 terminal="" draw="" decisions=""
 [[ -t 1 ]] && terminal=1
 

@@ -40,6 +40,25 @@ expectEqual "$(shotsOf "$scratch/shots.log")" "Other 4,Team 7," "shots of the ta
 sed 's/,[^,]*,[^,]*$//' "$scratch/games/games.log" > "$scratch/old.log"
 expectEqual "$(shotsOf "$scratch/old.log")" "Other -,Team -," "shots of an old log"
 
+# How fast a player goes to a ball that rests: from the second second on, not while it lies, and not nearer than 1.5 m.
+walk() { # a player's y by the time, and how upright it is from 3 s on
+  echo "time,side,number,x,y,up,mode"
+  for ((i = 0; i < 16; ++i)); do
+    LC_ALL=C awk -v i=$i -v up="$1" 'BEGIN {
+      y = 9 - (i < 3 ? 0.1 * i : 0.2 + 0.55 * (i - 2)); if (y < 2) y = 2
+      printf "%.2f,ball,0,0.00,0.00,0,PlayOn\n%.2f,left,2,0.00,%.2f,%s,PlayOn\n", i / 2, i / 2, y, (i > 5 ? up : 1) }'
+  done
+}
+fastest() { awk -v played="$scratch/walks" -f tests/bench/games/tracks.awk "$scratch/games/games.log" | cut -f22 | sed -n 1p; }
+mkdir -p "$scratch/walks/1" "$scratch/walks/2"
+walk 1 > "$scratch/walks/1/track.csv"
+expectEqual "$(fastest)" "1.1" "speed on the way to the ball"
+walk 0.2 > "$scratch/walks/1/track.csv"
+expectEqual "$(fastest)" "1.1" "speed until it lies"
+sed 's/PlayOn$/KickOff_Left/' "$scratch/walks/1/track.csv" > "$scratch/walks/2/track.csv"
+mv "$scratch/walks/2/track.csv" "$scratch/walks/1/track.csv"
+expectEqual "$(fastest)" "-" "speed before the kick-off"
+
 # A player that ended before the game, and one that did not end: the table names both, with their exit status.
 sed -i '1s/^\(left\|right\)\t1\t0\t0/\1\t1\t139\t1/' "$scratch/games/played/1/players.tsv"
 sed -i '1s/^\(left\|right\)\t1\t0\t0/\1\t1\t-\t0/' "$scratch/games/played/2/players.tsv"

@@ -1,6 +1,9 @@
 #include "modules/behavior/BehaviorCombinator.h"
 
+#include <cmath>
+
 #include "framework/DrawingSite.h"
+#include "tactics/OwnArea.h"
 
 namespace plumbline {
 
@@ -12,11 +15,29 @@ const BehaviorOutput* BehaviorCombinator::active() const {
   return nullptr;
 }
 
+void BehaviorCombinator::keepOutOfArea(SkillRequest& request) const {
+  if (!thePlayerRole || thePlayerRole->mayBeInOwnArea || !theFieldDimensions || !theRobotPose ||
+      !theRobotPose->valid)
+    return;
+  const OwnArea area(theFieldDimensions->size());
+  const Pose2& robot = theRobotPose->pose;
+  if (request.skill == Skill::moveToPos)
+    request.target.position = area.keptOut(request.target.position, OwnArea::waitDistance);
+  if (area.distance(robot.position) >= OwnArea::leaveDistance) return;
+  if (request.skill == Skill::moveToPos && area.distance(request.target.position) >= OwnArea::waitDistance)
+    return;
+  const Vec2 toBall = theBallPos ? Vec2(theBallPos->field - robot.position) : Vec2::UnitX();
+  request.skill = Skill::moveToPos;
+  request.target =
+      Pose2(area.keptOut(robot.position, OwnArea::waitDistance), std::atan2(toBall.y(), toBall.x()));
+}
+
 void BehaviorCombinator::update(SkillRequest* theSkillRequest) {
   const BehaviorOutput* output = active();
   theSkillRequest->skill = output ? output->skill : Skill::stand;
   theSkillRequest->target = output ? output->target : Pose2();
   theSkillRequest->tolerance = output ? output->tolerance : 0;
+  if (output && !output->beam) keepOutOfArea(*theSkillRequest);
   DEBUG_DRAWING("draw:BehaviorCombinator:target", {
     if (!output) return;
     drawing.circle(output->target.position, 0.15, colours::red);

@@ -169,22 +169,27 @@ void Formation::update(PlayerRole* thePlayerRole) {
   role.keeper = thePlayerInfo->number == plan.goalieNumber;
 
   const std::vector<Vec2> all = places();
-  const Vec2 ownGoal(-theFieldDimensions->length / 2, 0);
-  const TeamPlan made = planTeam(team, ball_, ownGoal, all, time, plan);
+  const TeamPlan made = planTeam(team, ball_, theFieldDimensions->size(), all, time, plan);
   role.strikerNumber = made.strikerNumber;
-  for (std::size_t i = 0; i < team.size(); ++i)
-    if (team[i].number == thePlayerInfo->number) role.role = made.roles[i];
-  if (role.supports())
-    role.place = facingBall(all[static_cast<std::size_t>(role.role - PlayerRole::supporter)]);
+  const OwnArea area(theFieldDimensions->size());
+  const auto placeOf = [&](std::size_t i) {
+    const Vec2& place = all[static_cast<std::size_t>(made.roles[i] - PlayerRole::supporter)];
+    return facingBall(made.rights[i] ? place : area.keptOut(place, OwnArea::waitDistance));
+  };
+  for (std::size_t i = 0; i < team.size(); ++i) {
+    if (team[i].number != thePlayerInfo->number) continue;
+    role.role = made.roles[i];
+    role.mayBeInOwnArea = made.rights[i];
+    if (role.supports()) role.place = placeOf(i);
+  }
   placed_.clear();
   for (std::size_t i = 0; i < team.size(); ++i) {
     if (!theTeamRobotPose->of(team[i].number)) continue;  // only seen: its heading is not known
     PlacedPlayer player;
     player.number = team[i].number;
     player.heading = team[i].pose.heading;
-    const int place = made.roles[i] - PlayerRole::supporter;
-    player.placed = place >= 0;
-    if (player.placed) player.place = facingBall(all[static_cast<std::size_t>(place)]);
+    player.placed = made.roles[i] >= PlayerRole::supporter;
+    if (player.placed) player.place = placeOf(i);
     placed_.push_back(player);
   }
   DEBUG_DRAWING("draw:team:role", drawRole(drawing, theRobotPose->pose.position, thePlayerInfo->number,

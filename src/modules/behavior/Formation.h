@@ -48,7 +48,8 @@ MODULE(Formation)
 END_MODULE
 
 /// Gives each player its role and place. Every player computes all roles from the messages of all players,
-/// including its own message as mates have heard it, so all get the same result (planTeam). Places come from
+/// including its own message as mates have heard it, so all get the same result (planTeam). So all also know
+/// who may be in the own penalty area (areaRights); the places of the others are outside it. Places come from
 /// config/formation.yaml, in set pieces first from config/set_pieces/.
 class Formation : public FormationBase {
 public:

@@ -17,8 +17,9 @@ PathPlanning::Destination PathPlanning::destination() const {
   return skill->approach == BallApproach::none ? Destination::none : Destination::ball;
 }
 
-std::vector<Obstacle> PathPlanning::obstacles(Destination to) const {
-  std::vector<Obstacle> found;
+Obstacles PathPlanning::obstacles(Destination to, const Vec2& goal) const {
+  Obstacles all;
+  std::vector<Obstacle>& found = all.circles;
   const Vec2& own = theRobotPose->pose.position;
   for (const OtherRobot& robot : theOtherRobots->robots) {
     if (theFrameInfo->time - robot.lastSeen > oldestSight) continue;
@@ -31,7 +32,12 @@ std::vector<Obstacle> PathPlanning::obstacles(Destination to) const {
     for (const double y : {-0.5, 0.5})
       found.push_back({{x * theFieldDimensions->length, y * theFieldDimensions->goalWidth}, postRadius});
   if (to == Destination::place && theBallPos->valid) found.push_back({theBallPos->field, ballRadius});
-  return found;
+  if (!thePlayerRole->mayBeInOwnArea) {
+    const OwnArea area(theFieldDimensions->size());
+    const double margin = std::min({OwnArea::passDistance, area.distance(own), area.distance(goal)});
+    if (margin > 0) all.closed = area.widened(margin);
+  }
+  return all;
 }
 
 bool PathPlanning::mateGoesBefore(const Vec2& direction) const {
@@ -46,16 +52,16 @@ bool PathPlanning::mateGoesBefore(const Vec2& direction) const {
 }
 
 /// What must not be walked into, and the way round it.
-void PathPlanning::drawWay(Drawing& drawing, const Vec2& goal, const std::vector<Obstacle>& circles) const {
+void PathPlanning::drawWay(Drawing& drawing, const Vec2& goal, const Obstacles& all) const {
   constexpr double corridor = 3;  // obstacles farther from the way are left out [m]
   constexpr int most = 30;        // more than there are in a game
   const Vec2& own = theRobotPose->pose.position;
   int drawn = 0;
-  for (const Obstacle& obstacle : circles)
+  for (const Obstacle& obstacle : all.circles)
     if (distanceToSegment(obstacle.centre, own, goal) < corridor && drawn++ < most)
       drawing.circle(obstacle.centre, obstacle.radius, colours::faint(colours::red, 0.6), 1);
   Vec2 from = own;
-  for (const Vec2& corner : shortestWay(own, goal, circles, last_, planner)) {
+  for (const Vec2& corner : shortestWay(own, goal, all, last_, planner)) {
     drawing.line(from, corner, colours::green, 2);
     from = corner;
   }
@@ -74,9 +80,9 @@ void PathPlanning::update(SafeWalkDirection* theSafeWalkDirection) {
   const Vec2 goal = to == Destination::ball ? meetingPlace(robot.position, ownSpeed, theBallPos->field,
                                                            robot.rotation() * theBallPos->relativeVelocity)
                                             : theSkillRequest->target.position;
-  const std::vector<Obstacle> circles = obstacles(to);
-  const Vec2 wayPoint = nextWayPoint(robot.position, goal, circles, last_, planner);
-  DEBUG_DRAWING("draw:team:way", drawWay(drawing, goal, circles);
+  const Obstacles all = obstacles(to, goal);
+  const Vec2 wayPoint = nextWayPoint(robot.position, goal, all, last_, planner);
+  DEBUG_DRAWING("draw:team:way", drawWay(drawing, goal, all);
                 drawing.arrow(robot.position, wayPoint, colours::green, 3));
   const Vec2 way = wayPoint - robot.position;
   safe.wayPointField = wayPoint;

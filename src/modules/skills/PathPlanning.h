@@ -15,6 +15,7 @@
 #include "representations/modeling/RobotPose.h"
 #include "representations/skills/SafeWalkDirection.h"
 #include "representations/skills/SkillOutput.h"
+#include "tactics/OwnArea.h"
 
 namespace plumbline {
 
@@ -47,7 +48,8 @@ MODULE(PathPlanning)
 END_MODULE
 
 /// Finds the path to the target of the requested skill, round other robots and goal posts, and round the ball
-/// for players that do not go to it. The thesis plans with random trees; this uses a visibility graph
+/// for players that do not go to it. Nor does a way lead through the own penalty area without the right to be
+/// there (PlayerRole). The thesis plans with random trees; this uses a visibility graph
 /// (PathPlanner). Of two mates the striker has priority, then the lower number; the other one waits.
 class PathPlanning : public PathPlanningBase {
 public:
@@ -56,9 +58,9 @@ public:
 private:
   enum class Destination { none, place, ball };
   Destination destination() const;
-  std::vector<Obstacle> obstacles(Destination to) const;
+  Obstacles obstacles(Destination to, const Vec2& goal) const;
   bool mateGoesBefore(const Vec2& direction) const;
-  void drawWay(Drawing& drawing, const Vec2& goal, const std::vector<Obstacle>& circles) const;
+  void drawWay(Drawing& drawing, const Vec2& goal, const Obstacles& all) const;
 
   Vec2 last_ = Vec2::Zero();  ///< direction of the last way, field
 };

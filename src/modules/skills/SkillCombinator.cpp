@@ -15,6 +15,16 @@ Vec2 SkillCombinator::withoutCharging(const Vec2& velocity) {
   return guard_.allowed(velocity, theBallPos->relative, opponents, charge, theFrameInfo->cycleSeconds);
 }
 
+Vec2 SkillCombinator::outsideArea(const Vec2& velocity) const {
+  if (!thePlayerRole || thePlayerRole->mayBeInOwnArea || !theFieldDimensions || !theRobotPose ||
+      !theRobotPose->valid)
+    return velocity;
+  const Pose2& robot = theRobotPose->pose;
+  const OwnArea own(theFieldDimensions->size());
+  return robot.rotation().transpose() *
+         own.stoppedBefore(robot.rotation() * velocity, robot.position, areaBrakeSeconds);
+}
+
 void SkillCombinator::update(MotionRequest* theMotionRequest) {
   theMotionRequest->motion = Motion::stand;
   theMotionRequest->walkVelocity = Vec2::Zero();
@@ -32,7 +42,7 @@ void SkillCombinator::update(MotionRequest* theMotionRequest) {
     theMotionRequest->kickBall = output->kickBall;
     break;
   }
-  theMotionRequest->walkVelocity = withoutCharging(theMotionRequest->walkVelocity);
+  theMotionRequest->walkVelocity = outsideArea(withoutCharging(theMotionRequest->walkVelocity));
   DEBUG_DRAWING("draw:SkillCombinator:request", {
     const MotionRequest& request = *theMotionRequest;
     drawing.in(DrawingFrame::robot);

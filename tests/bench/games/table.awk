@@ -2,11 +2,11 @@
 # games against a team that is not ours players, of each side, other, what that team is called, server, and played, the day.
 BEGIN {
   FS = "\t"
-  split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]|fouls: touching|charging|illegal defence|free kicks against|passes made|passes completed|players that ended before the game or with an error|late cycles of a player (more than 20 ms of CPU)|CPU of a player per cycle, mean [us]|99th percentile, mean of the players [us]|late cycles of a player by the clock (answer more than 20 ms after the server's message)", title, "|")
-  measures = split("goals goals_against falls kicks near_ball mates_close ball_ahead shots possession touching charging illegal_defence free_kicks_against passes passes_completed crashes late_cycles cpu cpu_p99 late_cycles_wall", name, " ")
-  split("higher lower lower higher lower lower higher higher higher lower lower lower lower higher higher lower lower lower lower lower", better, " ")
-  unit[6] = "1/min"; unit[7] = "m"; unit[9] = "%"; unit[18] = unit[19] = "us"
-  target[16] = target[17] = 0; target[18] = 200
+  split("goals for|goals against|falls|kicks|players within 1.5 m of the ball|mates nearer than 0.4 m, seen twice a second, per player and minute|ball in the other half, mean [m]|shots|possession [%]|fouls: touching|charging|illegal defence|free kicks against|passes made|passes completed|players that ended before the game or with an error|late cycles of a player (more than 20 ms of CPU)|CPU of a player per cycle, mean [us]|99th percentile, mean of the players [us]|late cycles of a player by the clock (answer more than 20 ms after the server's message)|way to a resting ball, from the second second on and 1.5 m away, median [m/s]", title, "|")
+  measures = split("goals goals_against falls kicks near_ball mates_close ball_ahead shots possession touching charging illegal_defence free_kicks_against passes passes_completed crashes late_cycles cpu cpu_p99 late_cycles_wall approach", name, " ")
+  split("higher lower lower higher lower lower higher higher higher lower lower lower lower higher higher lower lower lower lower lower higher", better, " ")
+  unit[6] = "1/min"; unit[7] = "m"; unit[9] = "%"; unit[18] = unit[19] = "us"; unit[21] = "m/s"
+  target[16] = target[17] = 0; target[18] = 200; target[21] = 1
 }
 {
   team = $1

@@ -40,6 +40,42 @@ TEST(BehaviorCombinator, standsWhenNobodyWantsAnything) {
   EXPECT_EQ(harness.output<SkillRequest>().skill, Skill::stand);
 }
 
+// The own penalty area begins at -13.2 m and is 6 m wide.
+TEST(BehaviorCombinator, whoMayNotBeInTheOwnAreaLeavesItOrWaitsBeforeIt) {
+  test::ModuleHarness<BehaviorCombinator> harness;
+  BehaviorOutput& striker = harness.input<StrikerOutput>();
+  harness.input<FieldDimensions>();
+  Pose2& robot = harness.input<RobotPose>().pose;
+  harness.input<RobotPose>().valid = true;
+  PlayerRole& role = harness.input<PlayerRole>();
+  striker.active = true;
+  striker.skill = Skill::moveToPos;
+  striker.target = Pose2(-14, 1, 0);
+  robot = Pose2(-10, 1, 0);
+  const SkillRequest& request = harness.output<SkillRequest>();
+  harness.cycle();
+  EXPECT_EQ(request.target.position, Vec2(-14, 1));
+  role.mayBeInOwnArea = false;
+  harness.cycle();
+  EXPECT_LT((request.target.position - Vec2(-12.6, 1)).norm(), 1e-9);
+  // Whatever it wants: within the area it walks out.
+  robot = Pose2(-14, 2.8, 0);
+  for (const char* skill : {Skill::kick, Skill::dribble, Skill::stand}) {
+    striker.skill = skill;
+    harness.cycle();
+    EXPECT_EQ(request.skill, Skill::moveToPos) << skill;
+    EXPECT_LT((request.target.position - Vec2(-14, 3.6)).norm(), 1e-9) << skill;
+  }
+  striker.skill = Skill::moveToPos;
+  striker.target = Pose2(-5, -3, 0);
+  harness.cycle();
+  EXPECT_EQ(request.target.position, Vec2(-5, -3)) << "it is on its way out already";
+  robot = Pose2(-12.6, 1, 0);
+  striker.skill = Skill::kick;
+  harness.cycle();
+  EXPECT_EQ(request.skill, Skill::kick) << "from outside";
+}
+
 /// A behaviour that no file of the project names.
 REPRESENTATION_OF(GoalieOutput, BehaviorOutput)
 class GoalieOutput : public GoalieOutputBase {};

@@ -12,7 +12,7 @@ using namespace plumbline;
 
 namespace {
 
-const Vec2 ownGoal(-15, 0), opponentGoal(15, 0);
+const Vec2 opponentGoal(15, 0);
 
 struct TeamPlanTest : testing::Test {
   TeamMember memberAt(int number, double x, double y, int role = PlayerRole::none) {
@@ -21,7 +21,7 @@ struct TeamPlanTest : testing::Test {
     return member;
   }
   TeamPlan plan(const std::vector<TeamMember>& members) {
-    return planTeam(members, ball, ownGoal, places, time, parameters);
+    return planTeam(members, ball, FieldSize(), places, time, parameters);
   }
   Vec2 ball = {2, 0};
   std::vector<Vec2> places = {{-1, 0}, {4, 0}, {-6, 0}};
@@ -66,6 +66,23 @@ TEST_F(TeamPlanTest, theGoalieComesOutOnlyForABallNearTheGoalThatItReachesFirst)
   EXPECT_EQ(plan({memberAt(1, -14, 0), memberAt(2, -13, 0)}).strikerNumber, 2);
   ball = {-9, 0};
   EXPECT_EQ(plan({memberAt(1, -14, 0), memberAt(2, 5, 0)}).strikerNumber, 2);
+}
+
+// The own penalty area begins at -13.2 m.
+TEST_F(TeamPlanTest, whoGoesToABallInTheOwnAreaMayBeThere) {
+  ball = {-13, 2.5};
+  std::vector<TeamMember> crowd = {memberAt(1, -14.5, 0), memberAt(2, -14, 2.9), memberAt(3, -14.6, 1.5),
+                                   memberAt(4, -14.7, 0.5), memberAt(5, -12.3, 2.7)};
+  crowd.back().timeToBall = 1;
+  const TeamPlan all = plan(crowd);
+  EXPECT_EQ(all.rights, (std::vector<bool>{true, true, false, false, false}));
+  EXPECT_EQ(all.strikerNumber, 2) << "numbers 3 and 4 are still there, so number 5 cannot come";
+  ball = {-11, 2.5};
+  EXPECT_EQ(plan({memberAt(1, -14.5, 0), memberAt(2, -14, 2.9), memberAt(3, -14.6, 1.5),
+                  memberAt(4, -14.7, 0.5), memberAt(5, -11.5, 2.7)})
+                .strikerNumber,
+            5)
+      << "a ball outside is for everybody";
 }
 
 TEST_F(TeamPlanTest, theFallenIsSlower) {

@@ -53,6 +53,20 @@ TEST(PathPlannerTest, leavesACircleItStandsInAndReachesAGoalWithinOne) {
   EXPECT_GT(nearest, 0.2);
 }
 
+TEST(PathPlannerTest, goesRoundAClosedRectangle) {
+  Obstacles obstacles{{{2, -1.2}, 0.5}};
+  obstacles.closed = Box2{{1, -1}, {3, 4}};
+  const std::vector<Vec2> way = shortestWay({0, 0}, {5, 0}, obstacles, Vec2::Zero(), {});
+  Vec2 from(0, 0);
+  for (const Vec2& corner : way) {
+    EXPECT_FALSE(obstacles.closed->meets(from, corner));
+    EXPECT_GE(distanceToSegment({2, -1.2}, from, corner), 0.5);
+    from = corner;
+  }
+  EXPECT_GE(way.size(), 3u);
+  EXPECT_EQ(nextWayPoint({2, 1}, {5, 0}, obstacles, Vec2::Zero(), {}), Vec2(5, 0)) << "out of it";
+}
+
 TEST(PathPlannerTest, withoutAnyWayItGoesStraight) {
   std::vector<Obstacle> ring;
   for (int i = 0; i < 6; ++i) ring.push_back({{std::cos(i * pi / 3), std::sin(i * pi / 3)}, 0.6});

@@ -86,6 +86,23 @@ TEST_F(PathPlanningTest, keepsOffTheGoalPosts) {
   EXPECT_TRUE(way().detour);
 }
 
+// The own penalty area begins at -13.2 m and is 6 m wide.
+TEST_F(PathPlanningTest, leadsThroughTheOwnAreaOnlyWhoMayBeThere) {
+  pose.pose = Pose2(-14, 4, 0);
+  test::wish(harness, Skill::moveToPos, Pose2(-14, -4, 0));
+  EXPECT_FALSE(way().detour);
+  role.mayBeInOwnArea = false;
+  for (int i = 0; i < 2000 && (pose.pose.position - Vec2(-14, -4)).norm() > 0.1; ++i) {
+    const Vec2 step = way().wayPointField - pose.pose.position;
+    pose.pose.position += std::min(0.05, step.norm()) * step.normalized();
+    ASSERT_GT(OwnArea(FieldSize()).distance(pose.pose.position), OwnArea::passDistance - 1e-6);
+  }
+  EXPECT_LT((pose.pose.position - Vec2(-14, -4)).norm(), 0.11);
+  // Who is within walks straight out.
+  pose.pose = Pose2(-14, 2, 0);
+  EXPECT_FALSE(way().detour);
+}
+
 TEST_F(PathPlanningTest, mateWithALowerNumberAndTheStrikerCrossFirst) {
   OtherRobot& mate = standsAt({0.5, 0.1}, true, 3);
   mate.velocity = {0, 1};  // it crosses, and the way is free when this robot is there

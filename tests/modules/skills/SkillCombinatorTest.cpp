@@ -54,4 +54,27 @@ TEST(SkillCombinator, walksIntoNoOpponentThatHasTheBall) {
   EXPECT_EQ(harness.output<MotionRequest>().walkVelocity.x(), 1);
 }
 
+// The own penalty area begins at -13.2 m.
+TEST(SkillCombinator, stopsBeforeTheOwnAreaWithoutTheRightToBeThere) {
+  test::ModuleHarness<SkillCombinator> harness;
+  SkillOutput& dribble = harness.input<SkillDribbleOutput>();
+  dribble.active = true;
+  dribble.motion = Motion::walk;
+  dribble.walkVelocity = {1, 0.2};
+  harness.input<FieldDimensions>();
+  harness.input<RobotPose>().pose = Pose2(-12.9, 1, pi);
+  harness.input<RobotPose>().valid = true;
+  PlayerRole& role = harness.input<PlayerRole>();
+  const Vec2& velocity = harness.output<MotionRequest>().walkVelocity;
+  harness.cycle();
+  EXPECT_LT((velocity - Vec2(1, 0.2)).norm(), 1e-9);
+  role.mayBeInOwnArea = false;
+  harness.cycle();
+  EXPECT_LT(velocity.x(), 0.15);
+  EXPECT_NEAR(velocity.y(), 0.2, 1e-9) << "along it";
+  harness.input<RobotPose>().valid = false;
+  harness.cycle();
+  EXPECT_LT((velocity - Vec2(1, 0.2)).norm(), 1e-9) << "it does not know where it is";
+}
+
 }  // namespace

@@ -2,7 +2,10 @@
 
 #include <gtest/gtest.h>
 
+#include "framework/ConfigFile.h"
+#include "modules/motion/WalkConfig.h"
 #include "modules/skills/SkillWish.h"
+#include "walking/planning/SpeedControl.h"
 
 using namespace plumbline;
 
@@ -56,6 +59,27 @@ TEST(SkillMoveToPos, walksRoundOthersAndWaitsForThem) {
   EXPECT_TRUE(harness.output<SkillMoveToPosOutput>().active);
   EXPECT_EQ(harness.output<SkillMoveToPosOutput>().motion, Motion::stand);
   EXPECT_EQ(harness.output<SkillMoveToPosOutput>().walkTurn, 0);
+}
+
+// A walk sprints only if nearly its full speed is asked for.
+TEST(SkillMoveToPos, sprintsToAPlaceFarAheadWithTheWalkOfEveryType) {
+  for (const char* type : {"0", "1", "2", "3", "4"}) {
+    const std::vector<std::string> folders{std::string("config/robots/simspark_type") + type, "config"};
+    ConfigStore store(folders);
+    const walking::WalkParameters walk = readWalkGaits(Config(store, "walking")).base;
+    test::ModuleHarness<SkillMoveToPos> harness(folders);
+    test::wish(harness, Skill::moveToPos, Pose2(8, 0, 0));
+    Pose2& robot = harness.input<RobotPose>().pose;
+    walking::SpeedControl speed;
+    constexpr double dt = 0.02;
+    for (double time = 0; time < 3; time += dt) {
+      harness.cycle();
+      const SkillOutput& output = harness.output<SkillMoveToPosOutput>();
+      speed.update(output.walkVelocity, output.walkTurn, walk, 1, dt);
+      robot.position += dt * speed.velocity();
+    }
+    EXPECT_GT(speed.velocity().x(), 0.99 * walk.speed.maxForward) << "type " << type;
+  }
 }
 
 }  // namespace

@@ -12,16 +12,15 @@ namespace {
 
 constexpr double farTime = 1e3;  ///< for members beyond the table's places [s]
 
-/// Who goes to the ball, as an index; negative: nobody.
-int chooseStriker(const std::vector<TeamMember>& members, const Vec2& ball, const Vec2& ownGoal,
+/// Who goes to the ball, as an index; negative: nobody. may: of each member, whether it can be this one.
+int chooseStriker(const std::vector<TeamMember>& members, const std::vector<bool>& may, bool atGoal,
                   const TeamPlanParameters& parameters) {
-  const bool atGoal = (ball - ownGoal).norm() < parameters.goalieReach;
   int striker = -1;
   double best = 0;
   for (std::size_t i = 0; i < members.size(); ++i) {
     const TeamMember& member = members[i];
     const bool isGoalie = member.number == parameters.goalieNumber && members.size() > 1;
-    if (isGoalie && !atGoal) continue;
+    if ((isGoalie && !atGoal) || !may[i]) continue;
     double time = member.timeToBall;
     if (member.role == PlayerRole::striker)
       time -= parameters.strikerHysteresis;
@@ -59,7 +58,7 @@ void placeSupporters(const std::vector<TeamMember>& members, const std::vector<s
 
 }  // namespace
 
-TeamPlan planTeam(std::vector<TeamMember> members, const Vec2& ball, const Vec2& ownGoal,
+TeamPlan planTeam(std::vector<TeamMember> members, const Vec2& ball, const FieldSize& field,
                   const std::vector<Vec2>& places, const TimeToBallParameters& time,
                   const TeamPlanParameters& parameters) {
   // In the order of their numbers, whatever order they were heard in.
@@ -71,7 +70,13 @@ TeamPlan planTeam(std::vector<TeamMember> members, const Vec2& ball, const Vec2&
 
   TeamPlan plan;
   std::vector<int> roles(sorted.size(), PlayerRole::none);
-  const int striker = chooseStriker(sorted, ball, ownGoal, parameters);
+  const OwnArea area(field);
+  const std::vector<bool> rights = areaRights(sorted, area, parameters.goalieNumber, parameters.area);
+  const std::vector<bool> anybody(sorted.size(), true);
+  const bool atGoal = (ball - Vec2(-field.length / 2, 0)).norm() < parameters.goalieReach;
+  int striker = -1;
+  if (area.distance(ball) < parameters.areaReach) striker = chooseStriker(sorted, rights, atGoal, parameters);
+  if (striker < 0) striker = chooseStriker(sorted, anybody, atGoal, parameters);
   std::vector<std::size_t> supporters;
   for (std::size_t i = 0; i < sorted.size(); ++i) {
     if (static_cast<int>(i) == striker) {
@@ -85,7 +90,11 @@ TeamPlan planTeam(std::vector<TeamMember> members, const Vec2& ball, const Vec2&
   }
   placeSupporters(sorted, supporters, places, time, parameters, roles);
   plan.roles.resize(members.size());
-  for (std::size_t i = 0; i < order.size(); ++i) plan.roles[order[i]] = roles[i];
+  plan.rights.resize(members.size());
+  for (std::size_t i = 0; i < order.size(); ++i) {
+    plan.roles[order[i]] = roles[i];
+    plan.rights[order[i]] = rights[i];
+  }
   return plan;
 }
 

@@ -15,14 +15,19 @@ constexpr double sightStep = 0.05;  ///< between the points of a path that are l
 constexpr double touch = 1e-9;      ///< by which a circle that start or goal lies on is none they lie in [m]
 constexpr double slack = 0.005;     ///< by which a circle is drawn back from a start or goal within it [m]
 
-bool isFree(const Vec2& a, const Vec2& b, const std::vector<Obstacle>& obstacles) {
-  return std::ranges::none_of(obstacles, [&](const Obstacle& obstacle) {
+constexpr double boxCorner = 0.05;  ///< of way points at the corners of a closed rectangle from it [m]
+
+bool isFree(const Vec2& a, const Vec2& b, const Obstacles& in) {
+  if (in.closed && in.closed->meets(a, b)) return false;
+  return std::ranges::none_of(in.circles, [&](const Obstacle& obstacle) {
     return distanceToSegment(obstacle.centre, a, b) < obstacle.radius;
   });
 }
 
-void keepRelevant(std::vector<Obstacle>& obstacles, const Vec2& start, const Vec2& goal,
+void keepRelevant(Obstacles& all, const Vec2& start, const Vec2& goal,
                   const PathPlannerParameters& parameters) {
+  if (all.closed && (all.closed->contains(start) || all.closed->contains(goal))) all.closed.reset();
+  std::vector<Obstacle>& obstacles = all.circles;
   for (Obstacle& obstacle : obstacles)
     for (const Vec2& end : {start, goal})
       obstacle.radius = std::min(obstacle.radius, (end - obstacle.centre).norm() - slack);
@@ -36,7 +41,7 @@ void keepRelevant(std::vector<Obstacle>& obstacles, const Vec2& start, const Vec
   obstacles.resize(count);
 }
 
-std::vector<Vec2> cornersOf(const std::vector<Obstacle>& obstacles, double corner) {
+std::vector<Vec2> cornersOf(const Obstacles& all, double corner) {
   static const std::array<Vec2, cornersOfObstacle> directions = [] {
     std::array<Vec2, cornersOfObstacle> all;
     for (int i = 0; i < cornersOfObstacle; ++i) {
@@ -46,18 +51,21 @@ std::vector<Vec2> cornersOf(const std::vector<Obstacle>& obstacles, double corne
     return all;
   }();
   std::vector<Vec2> corners;
-  for (const Obstacle& obstacle : obstacles)
-    for (const Vec2& direction : directions) {
-      const Vec2 p = obstacle.centre + corner * obstacle.radius * direction;
-      const bool inside = std::ranges::any_of(
-          obstacles, [&](const Obstacle& other) { return (p - other.centre).norm() < other.radius; });
-      if (!inside) corners.push_back(p);
-    }
+  const auto add = [&](const Vec2& p) {
+    const bool inside = std::ranges::any_of(
+        all.circles, [&](const Obstacle& other) { return (p - other.centre).norm() < other.radius; });
+    if (!inside && !(all.closed && all.closed->contains(p))) corners.push_back(p);
+  };
+  for (const Obstacle& obstacle : all.circles)
+    for (const Vec2& direction : directions) add(obstacle.centre + corner * obstacle.radius * direction);
+  if (all.closed)
+    for (const double x : {all.closed->low.x() - boxCorner, all.closed->high.x() + boxCorner})
+      for (const double y : {all.closed->low.y() - boxCorner, all.closed->high.y() + boxCorner}) add({x, y});
   return corners;
 }
 
 /// The corners of a shortest path that ends at the goal; empty if there is none.
-std::vector<Vec2> shortestPath(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
+std::vector<Vec2> shortestPath(const Vec2& start, const Vec2& goal, const Obstacles& obstacles,
                                const Vec2& last, const PathPlannerParameters& parameters) {
   std::vector<Vec2> nodes = cornersOf(obstacles, parameters.corner);
   nodes.push_back(goal);
@@ -95,9 +103,8 @@ std::vector<Vec2> shortestPath(const Vec2& start, const Vec2& goal, const std::v
 
 /// The obstacles with half of the distance that corners keep from them, so that who walks straight to a point
 /// of the path keeps some, too; no circle holds start or goal.
-std::vector<Obstacle> widened(std::vector<Obstacle> obstacles, const Vec2& start, const Vec2& goal,
-                              double corner) {
-  for (Obstacle& obstacle : obstacles) {
+Obstacles widened(Obstacles obstacles, const Vec2& start, const Vec2& goal, double corner) {
+  for (Obstacle& obstacle : obstacles.circles) {
     obstacle.radius *= 0.5 * (1 + corner);
     for (const Vec2& end : {start, goal})
       obstacle.radius = std::min(obstacle.radius, (end - obstacle.centre).norm() - touch);
@@ -107,7 +114,7 @@ std::vector<Obstacle> widened(std::vector<Obstacle> obstacles, const Vec2& start
 
 /// The farthest point of a path within `lookAhead` to which the straight way is free; at least the path's
 /// first corner.
-Vec2 farthestInSight(const Vec2& start, const std::vector<Vec2>& path, const std::vector<Obstacle>& obstacles,
+Vec2 farthestInSight(const Vec2& start, const std::vector<Vec2>& path, const Obstacles& obstacles,
                      double lookAhead) {
   Vec2 best = path.front(), from = best;
   double left = lookAhead - (best - start).norm();
@@ -135,9 +142,9 @@ double distanceToSegment(const Vec2& point, const Vec2& a, const Vec2& b) {
   return (a + share * way - point).norm();
 }
 
-std::vector<Vec2> shortestWay(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
+std::vector<Vec2> shortestWay(const Vec2& start, const Vec2& goal, const Obstacles& obstacles,
                               const Vec2& last, const PathPlannerParameters& parameters) {
-  std::vector<Obstacle> relevant = obstacles;
+  Obstacles relevant = obstacles;
   keepRelevant(relevant, start, goal, parameters);
   std::vector<Vec2> path;
   if (!isFree(start, goal, relevant)) path = shortestPath(start, goal, relevant, last, parameters);
@@ -145,8 +152,8 @@ std::vector<Vec2> shortestWay(const Vec2& start, const Vec2& goal, const std::ve
   return path;
 }
 
-Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
-                  const Vec2& last, const PathPlannerParameters& parameters) {
+Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const Obstacles& obstacles, const Vec2& last,
+                  const PathPlannerParameters& parameters) {
   const std::vector<Vec2> path = shortestWay(start, goal, obstacles, last, parameters);
   if (path.size() == 1) return goal;
   return farthestInSight(start, path, widened(obstacles, start, goal, parameters.corner),

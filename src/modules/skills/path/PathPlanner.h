@@ -1,6 +1,9 @@
 #pragma once
+#include <initializer_list>
+#include <optional>
 #include <vector>
 
+#include "math/Box2.h"
 #include "math/Types.h"
 #include "parameters/Parameter.h"
 
@@ -10,6 +13,15 @@ namespace plumbline {
 struct Obstacle {
   Vec2 centre = Vec2::Zero();
   double radius = 0.5;
+};
+
+/// All of them, and a rectangle that no way may lead through. Who is in it, or goes into it, may.
+struct Obstacles {
+  Obstacles() = default;
+  Obstacles(std::vector<Obstacle> those) : circles(std::move(those)) {}
+  Obstacles(std::initializer_list<Obstacle> those) : circles(those) {}
+  std::vector<Obstacle> circles;
+  std::optional<Box2> closed;
 };
 
 struct PathPlannerParameters {
@@ -31,11 +43,11 @@ struct PathPlannerParameters {
 /// Of a circle that holds start or goal only the part that does not counts. The way point is the first corner
 /// or the farthest point of the path within `lookAhead` that can be reached straight. last: direction of the
 /// last way, zero if there was none. The goal itself if the straight way is free, or if there is none at all.
-Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
-                  const Vec2& last, const PathPlannerParameters& parameters);
+Vec2 nextWayPoint(const Vec2& start, const Vec2& goal, const Obstacles& obstacles, const Vec2& last,
+                  const PathPlannerParameters& parameters);
 
 /// The corners of that whole way, the goal last; only the goal if the straight way is free or there is none.
-std::vector<Vec2> shortestWay(const Vec2& start, const Vec2& goal, const std::vector<Obstacle>& obstacles,
+std::vector<Vec2> shortestWay(const Vec2& start, const Vec2& goal, const Obstacles& obstacles,
                               const Vec2& last, const PathPlannerParameters& parameters);
 
 /// Distance of a point and the segment from a to b [m].
