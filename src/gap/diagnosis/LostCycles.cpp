@@ -34,7 +34,7 @@ public:
         offTime_(trial_.cycles(), 0) {
     // If a loss takes long to show, losses can imitate much else. Repeats that agree show that nothing was
     // lost, which saves the time.
-    if (response_.detectionCycles > LossResponse::minDetection && repeatsAgree(evidence_.trials())) return;
+    if (slow() && repeatsAgree(evidence_.trials())) return;
     lost_ = decodeLosses(plant_, evidence_, t_, price_, response_.detectionCycles);
     for (int round = 0; round < rounds; ++round) {
       tryAll();
@@ -43,6 +43,7 @@ public:
   }
 
   std::vector<std::uint8_t> cycles() const { return lost_; }
+  bool slow() const { return response_.detectionCycles > LossResponse::minDetection; }
   bool visible(std::size_t k) const { return seen_[k] >= visibleChange; }
   /// Whether a loss left the joint one cycle late, as far as the readings show.
   bool onTime(std::size_t k) const {
@@ -124,10 +125,12 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
   result.foundIn.resize(count);
   result.seenIn.resize(count);
   std::vector<std::size_t> onTime(count, 0);
+  std::vector<char> slow(count, 0);
   parallel(count, jobs, [&](std::size_t t) {
     if (evidence.trials()[t].freeBase) return;
     const LossesOfRun losses(evidence, t, causes, price);
     result.cycles[t] = losses.cycles();
+    slow[t] = losses.slow();
     for (std::size_t k = 0; k < result.cycles[t].size(); ++k) {
       if (!losses.visible(k)) continue;
       ++result.seenIn[t];
@@ -140,6 +143,7 @@ LostCycles findLostCycles(const Evidence& evidence, const Explanation& causes, i
     result.found += result.foundIn[t];
     seen += result.seenIn[t];
     late += onTime[t];
+    result.slow = result.slow || slow[t];
   }
   result.share = seen ? static_cast<double>(result.found) / static_cast<double>(seen) : 0;
   // More than the effect can be is something else, too.

@@ -17,7 +17,8 @@ namespace plumbline::gap {
 namespace {
 
 constexpr int sharesTried = 2;
-constexpr double leastPrice = 2;  // of a loss, of the sum of squares: more than a quarter is not known so well
+constexpr double leastPrice =
+    2;  // of a loss, of the sum of squares: more than a quarter is not known so well
 
 std::size_t sumOf(const std::vector<std::size_t>& counts, const std::vector<char>& wanted) {
   std::size_t sum = 0;
@@ -104,10 +105,11 @@ CommandLosses decodeLostCommands(const std::vector<Trial>& sent, const Groups& g
   }
   const Evidence evidence(sent, std::move(noises));
   LostCycles decoded = findLostCycles(evidence, causes, jobs);
-  // Where many are lost, less evidence is enough for each: the price is that of the share found.
-  for (int round = 0; round < sharesTried && decoded.share > 0; ++round) {
-    const double price = std::clamp(2 * std::log((1 - decoded.share) / decoded.share), leastPrice,
-                                    LostCycles::surePrice);
+  // Where many are lost, less evidence is enough for each: the price is that of the share found. One that
+  // shows at once is found with either.
+  for (int round = 0; round < sharesTried && decoded.slow && decoded.share > 0; ++round) {
+    const double price =
+        std::clamp(2 * std::log((1 - decoded.share) / decoded.share), leastPrice, LostCycles::surePrice);
     LostCycles again = findLostCycles(evidence, causes, jobs, price);
     if (again.share <= decoded.share) break;
     decoded = std::move(again);

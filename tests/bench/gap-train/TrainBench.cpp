@@ -1,11 +1,13 @@
 // What a diagnosis is worth to the next walk. NAOs in MuJoCo that have one or two things that the model lacks
 // are recorded hung up and on their feet and diagnosed by bin/gap. They walk with a walk that
 // bin/optimizewalk trained on a model with what was found, and with the one that the same search found on the
-// nominal model. Both begin with a walk searched on the nominal model before. Environment: ROBOTS [10], SEED
-// [1], JOBS; GENERATIONS [25], POPULATION [12], TRIES [6], SECONDS [6] of each search, MEASURED [100] tries
-// of each walk in the end; ENGINE [mujoco] of the robots, where walks are searched in Bullet. What is done is
-// kept in build/bench/gap-train-ENGINE-SEED/: a bench that was stopped goes on; remove the folder after a
-// change of diagnosis or walk. Writes build/bench/gap-train.json and .md.
+// nominal model. Both begin with a walk searched on the nominal model before. Environment:
+//   ROBOTS [10], SEED [1], JOBS
+//   ENGINE [mujoco] of the robots; walks are searched in Bullet
+//   GENERATIONS [25], POPULATION [12], TRIES [6], SECONDS [6] of each search
+//   MEASURED [100] tries of each walk in the end
+// What is done is kept in build/bench/gap-train-ENGINE-SEED/: a bench that was stopped goes on. Remove the
+// folder after a change of diagnosis or walk. Writes build/bench/gap-train.json and .md.
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
@@ -82,14 +84,14 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
   const auto percent = [](double x) { return std::to_string(std::lround(100 * x)) + " %"; };
   const std::string text =
       "Robots measured: " + number(robots.size()) + " (seed " + number(setup.seed) +
-      "). They are NAOs in the engine " +
-      setup.engine +
+      "). They are NAOs in the engine " + setup.engine +
       " with one or two effects that the model lacks. The effects are drawn as for "
       "sealed sets and made stronger until the walk trained on the nominal model surely (95 %) loses " +
       percent(leastLoss) + " of its speed, but not " + percent(mostLoss) +
       ". Each is recorded hung up and on its feet (`--battery all`, in that engine, with sensor noise) and "
       "diagnosed by "
-      "`bin/gap diagnose`, which replays with dynamics of its own. `bin/optimizewalk` then searches in Bullet "
+      "`bin/gap diagnose`, which replays with dynamics of its own. `bin/optimizewalk` then searches in "
+      "Bullet "
       "for a forward walk on the model with the effects found (with the nearest explanation if the "
       "verdict is unknown). The walk without is searched as long on the model without these effects. Both "
       "searches begin with the same walk, which one search before them found on the nominal model from the "

@@ -27,8 +27,8 @@ using training::WalkTrialResult;
 namespace {
 
 constexpr const char* robotName = "nao_v5";
-constexpr const char* firstSpread = "0.35";   // of a search that begins with a walk that is good already
-constexpr int strengths = 4;                  // each twice the one before
+constexpr const char* firstSpread = "0.35";  // of a search that begins with a walk that is good already
+constexpr int strengths = 4;                 // each twice the one before
 // Tries of the walk that decide whether a robot is taken: at most, and after how many it may be clear.
 constexpr std::uint64_t drawnBy = 100, drawnAtOnce = 20;
 constexpr std::uint64_t firstDrawn = 50'000;  // the first of these: other ones than those that measure
@@ -153,8 +153,7 @@ TrainBench::Loss TrainBench::lossWith(const Explanation& effects) const {
   std::vector<double> lost;  // of the same tries, in parts of the nominal speed
   while (lost.size() < drawnBy) {
     const std::size_t first = lost.size();
-    const std::vector<WalkTrialResult> with =
-        measure(nominalWalk_, effects, drawnAtOnce, firstDrawn + first);
+    const std::vector<WalkTrialResult> with = measure(nominalWalk_, effects, drawnAtOnce, firstDrawn + first);
     for (std::size_t i = 0; i < drawnAtOnce; ++i)
       lost.push_back((drawnOnNominal_[first + i].speed - with[i].speed) / onNominal_);
     const auto [lower, upper] = bootstrapInterval(lost, mean, 2000);
@@ -197,9 +196,10 @@ BlindCase TrainBench::draw(std::size_t turn) const {
 
 void TrainBench::record(const std::string& folder) const {
   if (fs::exists(folder + "/runs")) return;
-  runProgram({"bin/gap", "record", "--robot", robotName, "--engine", setup_.engine, "--battery", "all", "--seed",
-              std::to_string(setup_.seed), "--effects", folder + "/truth.yaml", "-o", folder + "/runs"},
-             folder + "/log");
+  runProgram(
+      {"bin/gap", "record", "--robot", robotName, "--engine", setup_.engine, "--battery", "all", "--seed",
+       std::to_string(setup_.seed), "--effects", folder + "/truth.yaml", "-o", folder + "/runs"},
+      folder + "/log");
 }
 
 TrainedRobot TrainBench::robot(std::size_t turn) const {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "../TwoJointArm.h"
+#include "gap/diagnosis/LostCycles.h"
 
 namespace plumbline::gap {
 namespace {
@@ -85,6 +86,26 @@ TEST_F(CommandLossesTest, whatWasLostIsDecodedAndWorthItsPrice) {
   CommandLosses more = lost;
   for (std::size_t t = 0; t < 2; ++t) more.found[t] *= 2;
   EXPECT_LT(evidenceOf(more, Replayer(arm, groups, 1), {}, {}, 40), evidence - 100);
+}
+
+TEST_F(CommandLossesTest, whereManyAreLostLessEvidenceIsEnoughForEach) {
+  Mechanism weak = twoJointArm();
+  for (Mechanism::Joint& joint : weak.joints) {
+    joint.servo.kp = 6;
+    joint.servo.kd = 0.15;
+  }
+  const std::vector<Trial> sent = recordedTwice(nominalPlant(weak), 5e-4, 0.2, armTrial(weak, 3));
+  const Groups groups(sent);
+  std::vector<std::vector<SignalNoise>> noises;
+  for (const auto& uses : groups.uses()) {
+    auto& of = noises.emplace_back();
+    for (const ChannelUse& use : uses) of.push_back({use.readingNoise, use.readingNoise, false});
+  }
+  const LostCycles sure = findLostCycles(Evidence(sent, std::move(noises)), {}, 1);
+  const CommandLosses lost = decodeLostCommands(sent, groups, {}, 1);
+  EXPECT_TRUE(sure.slow);
+  EXPECT_GT(lost.share(), sure.share + 0.005);
+  EXPECT_NEAR(lost.share(), 0.2, 0.01);
 }
 
 TEST_F(CommandLossesTest, ofRecordingsThatLostNothingNothingIsDecoded) {

@@ -64,7 +64,7 @@ TEST(SkillMoveToPos, walksRoundOthersAndWaitsForThem) {
 // A walk sprints only if nearly its full speed is asked for.
 TEST(SkillMoveToPos, sprintsToAPlaceFarAheadWithTheWalkOfEveryType) {
   for (const char* type : {"0", "1", "2", "3", "4"}) {
-    const std::vector<std::string> folders{std::string("config/robots/simspark_type") + type, "config"};
+    const std::vector<std::string> folders{"config", std::string("config/robots/simspark_type") + type};
     ConfigStore store(folders);
     const walking::WalkParameters walk = readWalkGaits(Config(store, "walking")).base;
     test::ModuleHarness<SkillMoveToPos> harness(folders);
