@@ -25,13 +25,18 @@ struct Guess {
   std::vector<std::uint8_t> lost;
   std::size_t arrived = 0;  ///< the last cycle whose command came
   double cost = 0;
+  double values = 0;  ///< that were compared
 
   Guess(const Plant& plant, const Trial& trial) : playback(plant, trial, {}), lost(trial.cycles(), 0) {
     playback.settle();
     playback.lose(&lost);
   }
   Guess(const Guess& other)
-      : playback(other.playback), lost(other.lost), arrived(other.arrived), cost(other.cost) {
+      : playback(other.playback),
+        lost(other.lost),
+        arrived(other.arrived),
+        cost(other.cost),
+        values(other.values) {
     playback.lose(&lost);
   }
   Guess& operator=(const Guess&) = delete;
@@ -64,7 +69,11 @@ public:
     guesses_.push_back(std::make_unique<Guess>(plant, trial_));
     for (std::size_t k = 0; k < trial_.cycles(); ++k) {
       branch(k);
-      for (const auto& guess : guesses_) guess->cost += squares(guess->playback.play(k));
+      for (const auto& guess : guesses_) {
+        const std::vector<Playback::Shown>& shown = guess->playback.play(k);
+        guess->cost += squares(shown);
+        guess->values += static_cast<double>(shown.size());
+      }
       select(k);
     }
     return std::move(guesses_.front()->lost);
@@ -102,7 +111,10 @@ private:
     std::stable_sort(guesses_.begin(), guesses_.end(),
                      [](const auto& a, const auto& b) { return a->cost < b->cost; });
     std::vector<std::unique_ptr<Guess>> kept;
-    const double farthest = guesses_.front()->cost + mostUnseen * price_;
+    // With a model that leaves more than the noise, guesses differ by more, too.
+    const Guess& best = *guesses_.front();
+    const double left = best.values > 0 ? std::max(1.0, best.cost / best.values) : 1;
+    const double farthest = best.cost + mostUnseen * left * price_;
     for (auto& guess : guesses_) {
       if (kept.size() == survivorsOf(detectionCycles_) || guess->cost > farthest) break;
       if (std::ranges::none_of(

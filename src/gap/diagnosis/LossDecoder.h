@@ -12,8 +12,9 @@ namespace plumbline::gap {
 /// them only the best continues. This is Viterbi's algorithm with per-survivor processing (Raheli, Polydoros
 /// and Tzou, "Per-survivor processing", IEEE Trans. Communications 43, 1995). A third of
 /// detectionCycles squared survive a cycle, at most 512, and none that is more than the price of four losses
-/// behind the best. detectionCycles: until the readings show a loss;
-/// hypotheses are compared in these. Returns one flag per cycle; a loss that changes nothing does not count.
+/// behind the best, times the mean square over noise that the best leaves. detectionCycles: until the
+/// readings show a loss; hypotheses are compared in these. Returns one flag per cycle; a loss that changes
+/// nothing does not count.
 std::vector<std::uint8_t> decodeLosses(const Plant& plant, const Evidence& evidence, std::size_t trial,
                                        double price, std::size_t detectionCycles);
 
