@@ -5,7 +5,7 @@
 
 namespace plumbline {
 
-/// A rectangle along the axes [m].
+/// A rectangle along the axes [m]. Its border is outside, where it is inside in Eigen's AlignedBox.
 struct Box2 {
   Vec2 low = Vec2::Zero(), high = Vec2::Zero();
 

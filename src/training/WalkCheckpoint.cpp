@@ -74,8 +74,8 @@ std::string exactText(const walking::WalkGaits& gaits) {
 
 walking::WalkGaits walkOfExactText(const std::string& text) {
   std::istringstream in(text);
-  in.exceptions(
-      std::ios::badbit);  // without memory it throws, and does not take that for the end of the text
+  // Without memory it throws, and does not take that for the end of the text.
+  in.exceptions(std::ios::badbit);
   std::string word;
   const auto read = [&](walking::WalkParameters& p) {
     for (const walking::WalkParameter& one : walking::walkParameters()) {

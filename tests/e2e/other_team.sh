@@ -63,7 +63,7 @@ expectEqual "$(fastest)" "-" "speed before the kick-off"
 sed -i '1s/^\(left\|right\)\t1\t0\t0/\1\t1\t139\t1/' "$scratch/games/played/1/players.tsv"
 sed -i '1s/^\(left\|right\)\t1\t0\t0/\1\t1\t-\t0/' "$scratch/games/played/2/players.tsv"
 awk -v played="$scratch/games/played" -f tests/bench/games/tracks.awk "$scratch/games/games.log" > "$scratch/ended.tsv"
-awk -v half=3 -v players=1 -v json="$scratch/ended.json" -f tests/bench/games/table.awk "$scratch/ended.tsv" > "$scratch/ended.md"
+awk -v half=3 -v players=1 -v json="$scratch/ended.json" -f tests/support/interval.awk -f tests/bench/games/table.awk "$scratch/ended.tsv" > "$scratch/ended.md"
 grep -qF "exit status: Team, seed 7: 1(139). Team, seed 8: 1(-)." "$scratch/ended.md" || fail "who ended: $(cat "$scratch/ended.md")"
 grep -q "^| players that ended before the game or with an error | 1.00 ± 0.00 | 0.00 ± 0.00 |$" "$scratch/ended.md" || fail "ended players: $(cat "$scratch/ended.md")"
 
@@ -71,7 +71,7 @@ grep -q "^| players that ended before the game or with an error | 1.00 ± 0.00 |
 sed -i '1s/^\(left\|right\)\t1\t139\t1/\1\t1\t143\t0/' "$scratch/games/played/1/players.tsv"
 sed -i '1s/^\(left\|right\)\t1\t-\t0/\1\t1\t143\t1/' "$scratch/games/played/2/players.tsv"
 awk -v played="$scratch/games/played" -f tests/bench/games/tracks.awk "$scratch/games/games.log" > "$scratch/ended.tsv"
-awk -v half=3 -v players=1 -v json="$scratch/ended.json" -f tests/bench/games/table.awk "$scratch/ended.tsv" > "$scratch/ended.md"
+awk -v half=3 -v players=1 -v json="$scratch/ended.json" -f tests/support/interval.awk -f tests/bench/games/table.awk "$scratch/ended.tsv" > "$scratch/ended.md"
 grep -qF "exit status: Team, seed 8: 1(143)." "$scratch/ended.md" || fail "who was stopped: $(cat "$scratch/ended.md")"
 
 # A start script that knows nothing but the host is called in its folder; ours reads the port from the environment.
@@ -84,7 +84,7 @@ expectEqual "$(tail -1 "$scratch/plain/games.log" | cut -d, -f3,4,17)" "Team,Oth
 env HALF=3 GAMES=1 PLAYERS=1 SERVER=rcssserver3d RCSSSERVER3D=no-such-server OUT="$scratch/league" OTHER="$scratch/plain.sh" tests/bench/games/games.sh > "$scratch/out" 2>&1 \
   && fail "a game without a server: $(cat "$scratch/out")"
 grep -q 'startGame.sh: no no-such-server in PATH: install rcssserver3d or set RCSSSERVER3D to it$' "$scratch/out" || fail "without a server: $(cat "$scratch/out")"
-awk -v half=3 -v players=1 -v other="A team" -v server=rcssserver3d -v json="$scratch/league.json" -f tests/bench/games/table.awk "$scratch/games/games.tsv" > "$scratch/league.md"
+awk -v half=3 -v players=1 -v other="A team" -v server=rcssserver3d -v json="$scratch/league.json" -f tests/support/interval.awk -f tests/bench/games/table.awk "$scratch/games/games.tsv" > "$scratch/league.md"
 grep -q "^## The team against A team, on the league's server$" "$scratch/league.md" || fail "heading: $(cat "$scratch/league.md")"
 grep -q "^Games of 2 x 3 s, 1 against 1 on the league's server (rcssserver3d), sides changed" "$scratch/league.md" || fail "table: $(cat "$scratch/league.md")"
 grep -q '"games.a_team_1_rcssserver3d.team.goals", ' "$scratch/league.json" || fail "figures: $(cat "$scratch/league.json")"

@@ -25,18 +25,13 @@ struct Guess {
   std::vector<std::uint8_t> lost;
   std::size_t arrived = 0;  ///< the last cycle whose command came
   double cost = 0;
-  double values = 0;  ///< that were compared
 
   Guess(const Plant& plant, const Trial& trial) : playback(plant, trial, {}), lost(trial.cycles(), 0) {
     playback.settle();
     playback.lose(&lost);
   }
   Guess(const Guess& other)
-      : playback(other.playback),
-        lost(other.lost),
-        arrived(other.arrived),
-        cost(other.cost),
-        values(other.values) {
+      : playback(other.playback), lost(other.lost), arrived(other.arrived), cost(other.cost) {
     playback.lose(&lost);
   }
   Guess& operator=(const Guess&) = delete;
@@ -69,11 +64,13 @@ public:
     guesses_.push_back(std::make_unique<Guess>(plant, trial_));
     for (std::size_t k = 0; k < trial_.cycles(); ++k) {
       branch(k);
+      std::size_t values = 0;  // as many whatever was lost
       for (const auto& guess : guesses_) {
         const std::vector<Playback::Shown>& shown = guess->playback.play(k);
         guess->cost += squares(shown);
-        guess->values += static_cast<double>(shown.size());
+        values = shown.size();
       }
+      compared_ += static_cast<double>(values);
       select(k);
     }
     return std::move(guesses_.front()->lost);
@@ -112,9 +109,8 @@ private:
                      [](const auto& a, const auto& b) { return a->cost < b->cost; });
     std::vector<std::unique_ptr<Guess>> kept;
     // With a model that leaves more than the noise, guesses differ by more, too.
-    const Guess& best = *guesses_.front();
-    const double left = best.values > 0 ? std::max(1.0, best.cost / best.values) : 1;
-    const double farthest = best.cost + mostUnseen * left * price_;
+    const double best = guesses_.front()->cost, left = compared_ > 0 ? std::max(1.0, best / compared_) : 1;
+    const double farthest = best + mostUnseen * left * price_;
     for (auto& guess : guesses_) {
       if (kept.size() == survivorsOf(detectionCycles_) || guess->cost > farthest) break;
       if (std::ranges::none_of(
@@ -129,6 +125,7 @@ private:
   const Trial& trial_;
   const double price_;
   const std::size_t detectionCycles_;
+  double compared_ = 0;  ///< values up to now, in each guess
   std::vector<std::unique_ptr<Guess>> guesses_;
 };
 

@@ -13,8 +13,7 @@ namespace {
 
 constexpr std::size_t reach = 4;  // cycles within which only one changes its mind in a round
 constexpr int rounds = 8;
-constexpr double leastEvidence = LostCycles::surePrice;  // until it is there, a loss counts as not shown yet
-constexpr double visibleChange = 4 * leastEvidence;
+constexpr double visibleChange = 4 * LostCycles::surePrice;
 constexpr double aboutOne = 0.3;     // cycles that a lost command is off from one cycle late
 constexpr double leastOnTime = 0.6;  // share of the losses that are one cycle late; of another cause, a third
 
@@ -27,7 +26,7 @@ public:
         price_(price),
         trial_(evidence.trials()[t]),
         plant_(plantOf(trial_, causes)),
-        response_(lossResponse(plant_, evidence, t, leastEvidence)),
+        response_(lossResponse(plant_, evidence, t, LostCycles::surePrice)),
         lost_(trial_.cycles(), 0),
         gains_(trial_.cycles(), 0),
         seen_(trial_.cycles(), 0),

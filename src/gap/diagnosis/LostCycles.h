@@ -22,8 +22,8 @@ struct LostCycles {
   static constexpr double surePrice = 14;
   static constexpr std::size_t minCount = 3;  ///< cycles; fewer are chance
   std::size_t found = 0;
-  bool slow =
-      false;  ///< in some recording a loss takes long to show, so that what neighbours change overlaps
+  /// In some recording a loss takes long to show, so that what losses near each other change overlaps.
+  bool slow = false;
   /// Per trial: cycles in which a loss would have shown, and those of them that were lost.
   std::vector<std::size_t> seenIn, foundIn;
   double price = 0;  ///< of the sum of squares for judging: each cycle was chosen to fit

@@ -17,8 +17,9 @@ namespace plumbline::gap {
 namespace {
 
 constexpr int sharesTried = 2;
-constexpr double leastPrice =
-    2;  // of a loss, of the sum of squares: more than a quarter is not known so well
+// Of a loss, of the sum of squares: that of a share of 27 %. So large shares are not known well enough for
+// less.
+constexpr double leastPrice = 2;
 
 std::size_t sumOf(const std::vector<std::size_t>& counts, const std::vector<char>& wanted) {
   std::size_t sum = 0;

@@ -23,5 +23,5 @@ for ((game = 1; game <= games; ++game)); do
     "bin/start.sh --players $players -- --modules $PWD/config/platforms/simspark/swarm.cfg"
   awk -f tests/bench/beliefs/errors.awk "$out/$game/track.csv" "$out/$game"/others/left-*.csv >> "$out/errors.tsv"
 done
-awk -v half="$half" -v games="$games" -v seed="$seed" -v players="$players" -v json="$out.json" -f tests/bench/beliefs/table.awk "$out/errors.tsv" > "$out.md"
+awk -v half="$half" -v games="$games" -v seed="$seed" -v players="$players" -v json="$out.json" -f tests/support/interval.awk -f tests/bench/beliefs/table.awk "$out/errors.tsv" > "$out.md"
 cat "$out.md"

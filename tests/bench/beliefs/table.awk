@@ -7,14 +7,9 @@ BEGIN { FS = "\t" }
   for (i = 4; i <= 6; ++i) { sum[g, i] += $i; squares[g, i] += $i ^ 2 }
 }
 function mean(g, i) { return sum[g, i] / n[g] }
-function half95(g, i,   v) {
-  if (n[g] < 2) return 0
-  v = (squares[g, i] - sum[g, i] ^ 2 / n[g]) / (n[g] - 1)
-  return 1.96 * sqrt((v > 0 ? v : 0) / n[g])
-}
 function cell(g) {
   if (!n[g]) return " - |"
-  return sprintf(" %.2f ± %.2f, %.2f ± %.2f |", mean(g, 4), half95(g, 4), mean(g, 5), half95(g, 5))
+  return sprintf(" %.2f ± %.2f, %.2f ± %.2f |", mean(g, 4), half95(sum[g, 4], squares[g, 4], n[g]), mean(g, 5), half95(sum[g, 5], squares[g, 5], n[g]))
 }
 END {
   if (!NR) { print "no estimates" > "/dev/stderr"; exit 1 }

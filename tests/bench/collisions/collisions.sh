@@ -16,7 +16,9 @@ rm -rf "$out"
 mkdir -p "$out/straight"
 # A folder of configuration like this one, but without the planner.
 cp -r "$config" "$out/straight/config"
-sed -i '/^PathPlanning/d' "$out/straight/config/modules/behavior.cfg"
+planner=$out/straight/config/modules/behavior.cfg
+grep -q '^PathPlanning' "$planner" || { echo "collisions.sh: $config/modules/behavior.cfg has no line PathPlanning" >&2; exit 2; }
+sed -i '/^PathPlanning/d' "$planner"
 
 running=""
 trap 'if [[ $running ]]; then kill "$running" 2> /dev/null && wait "$running" || true; fi; exit 130' INT
@@ -34,23 +36,18 @@ for ways in Planned Straight; do
   running=""
   awk -v played="$out/$ways" -f tests/bench/games/tracks.awk "$out/$ways.log" | grep "^$ways" >> "$out/games.tsv"
 done
-awk -F'\t' -v half="$half" -v seed="$seed" -v games="$games" -v json="$out.json" '
+awk -F'\t' -v half="$half" -v seed="$seed" -v games="$games" -v json="$out.json" "$(< tests/support/interval.awk)"'
   { ++n[$1]; minutes = 11 * 2 * half / 60
     value[1] = ($11 + $12) / minutes; value[2] = $11 / minutes; value[3] = $12 / minutes; value[4] = $7; value[5] = $4 / minutes
     for (i = 1; i <= 5; ++i) { sum[$1, i] += value[i]; squares[$1, i] += value[i] ^ 2 } }
   function mean(ways, i) { return n[ways] ? sum[ways, i] / n[ways] : 0 }
-  function half95(ways, i,   v, m) {
-    m = n[ways]
-    if (m < 2) return 0
-    v = (squares[ways, i] - sum[ways, i] ^ 2 / m) / (m - 1)
-    return 1.96 * sqrt((v > 0 ? v : 0) / m)
-  }
+  function cell(ways, i) { return sprintf("%.2f ± %.2f", mean(ways, i), half95(sum[ways, i], squares[ways, i], n[ways])) }
   END {
     split("fouls of touching and charging|touching|charging|mates nearer than 0.4 m, seen twice a second|falls", title, "|")
     split("fouls touching charging mates_close falls", name, " ")
     printf "%d games of 2 x %d s against players without teamwork, eleven on each side, seeds from %d: with path planning, and with straight ways.\n", games, half, seed
     print "Of a player in a minute: means of a game with their 95 % intervals.\n\n| | planned ways | straight ways |\n|---|---|---|"
-    for (i = 1; i <= 5; ++i) printf "| %s | %.2f ± %.2f | %.2f ± %.2f |\n", title[i], mean("Planned", i), half95("Planned", i), mean("Straight", i), half95("Straight", i)
+    for (i = 1; i <= 5; ++i) printf "| %s | %s | %s |\n", title[i], cell("Planned", i), cell("Straight", i)
     print "\nA player is called for touching if three or more touch each other, for charging if it runs into an opponent. The referee then puts it elsewhere."
     printf "[" > json
     for (i = 1; i <= 5; ++i) for (k = 1; k <= 2; ++k)

@@ -63,7 +63,7 @@ if [[ ${OTHER-} ]]; then
   echo "$games games of 2 x $half s against OTHER, $players on each side, seeds from $seed, $jobs at once, server $server"
   echo "Other $other" > "$work/opponents"
   play "bin/start.sh --players $players"
-  awk -v half="$half" -v players="$players" -v other="${OTHER_NAME-}" -v server="$server" -v realtime="$realtime" -v played="$(date -u +%F)" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
+  awk -v half="$half" -v players="$players" -v other="${OTHER_NAME-}" -v server="$server" -v realtime="$realtime" -v played="$(date -u +%F)" -v json="$out.json" -f tests/support/interval.awk -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
   cat "$out.md"
   [[ ${OTHER_NAME-} ]] || exit 0
   peers=${out%/*}/games-peers
@@ -87,7 +87,7 @@ if [[ ${BEFORE-} ]]; then
   echo "Before $before/bin/start.sh --config $before/config --port {agent} --monitor {monitor} {host}" >> "$work/opponents"
 fi
 play bin/start.sh
-awk -v half="$half" -v realtime="$realtime" -v json="$out.json" -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
+awk -v half="$half" -v realtime="$realtime" -v json="$out.json" -f tests/support/interval.awk -f tests/bench/games/table.awk "$work/games.tsv" > "$out.md"
 { cat build/bench/starts.md && cat "$out.md"; } > "$work/games.md"
 mv "$work/games.md" "$out.md"
 { sed '$d' "$out.json" | sed '$s/$/,/' && sed 1d build/bench/starts.json; } > "$work/games.json"

@@ -20,18 +20,6 @@ BEGIN {
   if (seed > last) last = seed
   if ($(measures + 3) != "") ended = ended " " team ", seed " seed ":" $(measures + 3) "."
 }
-function half95(team, i,   v, m) {
-  m = count[team, i]
-  if (m < 2) return 0
-  v = (squares[team, i] - sum[team, i] ^ 2 / m) / (m - 1)
-  return 1.96 * sqrt((v > 0 ? v : 0) / m)
-}
-function difference95(team,   v, m) {
-  m = n[team]
-  if (m < 2) return 0
-  v = (differences[team] - difference[team] ^ 2 / m) / (m - 1)
-  return 1.96 * sqrt((v > 0 ? v : 0) / m)
-}
 END {
   if (!teams) { print "no game came to its end" > "/dev/stderr"; exit 1 }
   league = server == "rcssserver3d"
@@ -42,12 +30,12 @@ END {
   printf "| |"; for (t = 1; t <= teams; ++t) printf " %s |", order[t]; print ""
   printf "|---|"; for (t = 1; t <= teams; ++t) printf "---|"; print ""
   printf "| games won, drawn, lost |"; for (t = 1; t <= teams; ++t) printf " %d, %d, %d |", won[order[t]], drawn[order[t]], lost[order[t]]; print ""
-  printf "| goal difference |"; for (t = 1; t <= teams; ++t) printf " %.2f ± %.2f |", difference[order[t]] / n[order[t]], difference95(order[t]); print ""
+  printf "| goal difference |"; for (t = 1; t <= teams; ++t) printf " %.2f ± %.2f |", difference[order[t]] / n[order[t]], half95(difference[order[t]], differences[order[t]], n[order[t]]); print ""
   for (i = 1; i <= measures; ++i) {
     if (name[i] == "late_cycles_wall" && !realtime) continue
     printf "| %s |", title[i]
     for (t = 1; t <= teams; ++t)
-      if (count[order[t], i]) printf " %.2f ± %.2f |", sum[order[t], i] / count[order[t], i], half95(order[t], i); else printf " - |"
+      if (count[order[t], i]) printf " %.2f ± %.2f |", sum[order[t], i] / count[order[t], i], half95(sum[order[t], i], squares[order[t], i], count[order[t], i]); else printf " - |"
     print ""
   }
   print "\nEvery goal is a shot, but for own goals; `src/watch/BallTouches.h` says what else is one. A pass is made when another player has the next touch, 1.5 m away or farther, and no shot. It is completed when that player is a mate and the ball stayed in play. The first cycle of a player, in which it gets ready, is not counted as late."
@@ -68,7 +56,7 @@ END {
   if (players && n["Team"] > 1) {
     mean = difference["Team"] / n["Team"]
     text = text sprintf(",\n  {\"name\": \"games.%steam.goal_difference\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\"}", key, mean)
-    text = text sprintf(",\n  {\"name\": \"games.%steam.goal_difference_lower_end\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\", \"target\": 0}", key, mean - difference95("Team"))
+    text = text sprintf(",\n  {\"name\": \"games.%steam.goal_difference_lower_end\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\", \"target\": 0}", key, mean - half95(difference["Team"], differences["Team"], n["Team"]))
   }
   won_ = won["Team"] / n["Team"]
   text = text sprintf(",\n  {\"name\": \"games.%steam.won_of_%d\", \"value\": %.4g, \"unit\": \"\", \"better\": \"higher\"%s}", \

@@ -88,7 +88,8 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
       " with one or two effects that the model lacks. The effects are drawn as for "
       "sealed sets and made stronger until the walk trained on the nominal model surely (95 %) loses " +
       percent(leastLoss) + " of its speed, but not " + percent(mostLoss) +
-      ". Each is recorded hung up and on its feet (`--battery all`, in that engine, with sensor noise) and "
+      " (looked at after every 20 of at most 100 tries, each time by a 95 % interval). Each is recorded hung "
+      "up and on its feet (`--battery all`, in that engine, with sensor noise) and "
       "diagnosed by "
       "`bin/gap diagnose`, which replays with dynamics of its own. `bin/optimizewalk` then searches in "
       "Bullet "

@@ -29,7 +29,8 @@ namespace {
 constexpr const char* robotName = "nao_v5";
 constexpr const char* firstSpread = "0.35";  // of a search that begins with a walk that is good already
 constexpr int strengths = 4;                 // each twice the one before
-// Tries of the walk that decide whether a robot is taken: at most, and after how many it may be clear.
+// Tries of the walk that decide whether a robot is taken: at most, and after how many each it is asked
+// whether they are enough.
 constexpr std::uint64_t drawnBy = 100, drawnAtOnce = 20;
 constexpr std::uint64_t firstDrawn = 50'000;  // the first of these: other ones than those that measure
 

@@ -1,5 +1,5 @@
 # Lines "subject motion world figure mean error" (motion: start, without-SEED or with-SEED): a table of each subject in Markdown.
-# Variables: about (of each subject a line), seeds, tries, first, json.
+# Variables: about (of each subject a line), seeds, tries, first, json, draws (of a search).
 BEGIN {
   worlds = split("nominal bullet drawn", world, " "); split("nominal|Bullet|drawn robots", title, "|")
   split(about, lines, "\n"); for (i in lines) { at = index(lines[i], "|"); text[substr(lines[i], 1, at - 1)] = substr(lines[i], at + 1) }
@@ -48,7 +48,7 @@ function comparison(s, where,   gain) {
 }
 END {
   print "The same searches from a motion that was there before (start), seeds " seeds ", once in the nominal world alone and once"
-  print "with draws: over 16 worlds, of which 15 have effects of `config/optimisation/unlike.yaml` (masses, centres of mass, delay, friction, motors,"
+  print "with draws: over " draws " worlds, of which " (draws - 1) " have effects of `config/optimisation/unlike.yaml` (masses, centres of mass, delay, friction, motors,"
   print "offsets), each with a chance of one half. Both see as many runs. Then " tries " tries of each, seeds from " first " on, in the nominal world, on"
   print "Bullet, which no search saw, and on 40 drawn robots that no search had (draws 1000 to 1039). Upright: within 30 degrees two seconds after"
   print "the motion. Cost: what the search minimises. Lost: compared with the nominal world. The standard error of a share is at most " sprintf("%.1f", 50 / sqrt(tries)) " %."

@@ -18,7 +18,7 @@ struct AreaRightsTest : testing::Test {
   }
   /// The numbers of those with the right.
   std::set<int> rights(const std::vector<TeamMember>& members, int goalie = 1) const {
-    const std::vector<bool> has = areaRights(members, area, goalie, parameters);
+    const std::vector<bool> has = areaRights(members, area, goalie, 0.8, parameters);
     std::set<int> numbers;
     for (std::size_t i = 0; i < members.size(); ++i)
       if (has[i]) numbers.insert(members[i].number);

@@ -12,6 +12,13 @@ using namespace plumbline;
 
 namespace {
 
+void dribbleWith(test::ModuleHarness<SkillCombinator>& harness, const Vec2& velocity) {
+  SkillOutput& dribble = harness.input<SkillDribbleOutput>();
+  dribble.active = true;
+  dribble.motion = Motion::walk;
+  dribble.walkVelocity = velocity;
+}
+
 TEST(SkillCombinator, takesTheActiveSkillOrStands) {
   test::ModuleHarness<SkillCombinator> harness;
   harness.input<SkillMoveToPosOutput>();
@@ -36,10 +43,7 @@ TEST(SkillCombinator, takesTheActiveSkillOrStands) {
 
 TEST(SkillCombinator, walksIntoNoOpponentThatHasTheBall) {
   test::ModuleHarness<SkillCombinator> harness;
-  SkillOutput& dribble = harness.input<SkillDribbleOutput>();
-  dribble.active = true;
-  dribble.motion = Motion::walk;
-  dribble.walkVelocity = {1, 0};
+  dribbleWith(harness, {1, 0});
   harness.input<RobotPose>() = {};
   harness.input<RobotPose>().pose = Pose2(2, 3, pi / 2);
   harness.input<RobotPose>().valid = true;
@@ -57,10 +61,7 @@ TEST(SkillCombinator, walksIntoNoOpponentThatHasTheBall) {
 // The own penalty area begins at -13.2 m.
 TEST(SkillCombinator, stopsBeforeTheOwnAreaWithoutTheRightToBeThere) {
   test::ModuleHarness<SkillCombinator> harness;
-  SkillOutput& dribble = harness.input<SkillDribbleOutput>();
-  dribble.active = true;
-  dribble.motion = Motion::walk;
-  dribble.walkVelocity = {1, 0.2};
+  dribbleWith(harness, {1, 0.2});
   harness.input<FieldDimensions>();
   harness.input<RobotPose>().pose = Pose2(-12.9, 1, pi);
   harness.input<RobotPose>().valid = true;

@@ -16,14 +16,14 @@ struct AreaRightsParameters {
             "who said that it is nearer to the area than this counts as in it: it has gone on since then")
   PARAMETER(double, stays, 1.0, "s", Range(0, 10),
             "by which who is there counts as sooner at the ball than it is")
-  PARAMETER(double, keeps, 0.8, "s", Range(0, 10), "the same of the player that goes to the ball")
 };
 
 /// Which members may be in the own penalty area, in their order: the goalie, and those that are first at the
 /// ball. Whoever lies there keeps its right, because it cannot leave. While others are still there without a
 /// right, nobody takes their places: so there are never more than the rules allow. The result depends only on
 /// the arguments, not on the order of the members. goalieNumber: whose place is kept free; 0: nobody's.
+/// strikerHysteresis: by which the striker counts as sooner at the ball than it is [s].
 std::vector<bool> areaRights(const std::vector<TeamMember>& members, const OwnArea& area, int goalieNumber,
-                             const AreaRightsParameters& parameters);
+                             double strikerHysteresis, const AreaRightsParameters& parameters);
 
 }  // namespace plumbline

@@ -71,7 +71,8 @@ TeamPlan planTeam(std::vector<TeamMember> members, const Vec2& ball, const Field
   TeamPlan plan;
   std::vector<int> roles(sorted.size(), PlayerRole::none);
   const OwnArea area(field);
-  const std::vector<bool> rights = areaRights(sorted, area, parameters.goalieNumber, parameters.area);
+  const std::vector<bool> rights =
+      areaRights(sorted, area, parameters.goalieNumber, parameters.strikerHysteresis, parameters.area);
   const std::vector<bool> anybody(sorted.size(), true);
   const bool atGoal = (ball - Vec2(-field.length / 2, 0)).norm() < parameters.goalieReach;
   int striker = -1;
