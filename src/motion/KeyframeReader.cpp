@@ -59,6 +59,7 @@ public:
     if (!root.IsMap()) fail(root, "", "a motion is a map with the key keyframes (or mirror)");
     KeyframeMotion motion;
     bool restStays = false;
+    checkRobots(root);
     if (root["mirror"]) {
       motion = readMirrored(root);
     } else {
@@ -73,9 +74,10 @@ public:
           motion.kick = readKick(value);
         else if (key == "rest")
           restStays = readRest(value);
-        else
+        else if (key != "robots")
           fail(keyNode, key,
-               "unknown key" + suggestion(key, {"keyframes", "mirror", "ball", "ballReach", "kick", "rest"}));
+               "unknown key" +
+                   suggestion(key, {"keyframes", "mirror", "robots", "ball", "ballReach", "kick", "rest"}));
       });
       if (motion.keyframes.empty()) fail(root, "keyframes", "missing or empty");
       if (motion.kick && !root["ball"])
@@ -88,10 +90,30 @@ public:
   }
 
 private:
+  template <class Error = KeyframeFileError>
   [[noreturn]] void fail(const YAML::Node& where, const std::string& key, const std::string& what) const {
     const int line = where.Mark().is_null() ? 1 : where.Mark().line + 1;
-    throw KeyframeFileError(singleLine(file_.string() + ":" + std::to_string(line) + ": " +
-                                       (key.empty() ? "" : key + ": ") + what));
+    throw Error(singleLine(file_.string() + ":" + std::to_string(line) + ": " +
+                           (key.empty() ? "" : key + ": ") + what));
+  }
+
+  /// A name, or the beginning of names and a star; also several in a list.
+  void checkRobots(const YAML::Node& root) const {
+    const YAML::Node value = root["robots"];
+    if (!value) return;
+    std::vector<YAML::Node> names;
+    if (!value.IsSequence()) names.push_back(value);
+    for (std::size_t i = 0; value.IsSequence() && i < value.size(); ++i) names.push_back(value[i]);
+    bool ours = false;
+    for (const YAML::Node& node : names) {
+      if (!node.IsScalar() || node.Scalar().empty())
+        fail(value, "robots",
+             "has to be the name of a robot, as nao_v5 or simspark_type*, or a list of names");
+      const std::string& name = node.Scalar();
+      ours = ours || (name.back() == '*' ? robot_.name.starts_with(name.substr(0, name.size() - 1))
+                                         : robot_.name == name);
+    }
+    if (!ours) fail<MotionOfOtherRobots>(value, "robots", "the motion is not for robot " + robot_.name);
   }
 
   template <class Visit>
@@ -321,7 +343,11 @@ std::vector<KeyframeMotion> readMotions(const std::vector<fs::path>& directories
   const auto files = motionFiles(directories);
   std::vector<KeyframeMotion> motions;
   motions.reserve(files.size());
-  for (const auto& [name, path] : files) motions.push_back(readKeyframeFile(path, robot, directories));
+  for (const auto& [name, path] : files) try {
+      motions.push_back(readKeyframeFile(path, robot, directories));
+    } catch (const MotionOfOtherRobots&) {
+      continue;
+    }
   return motions;
 }
 

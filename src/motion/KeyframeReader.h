@@ -20,6 +20,12 @@ public:
   using std::runtime_error::runtime_error;
 };
 
+/// A motion that is made for other robots (`robots:` in its file).
+class MotionOfOtherRobots : public KeyframeFileError {
+public:
+  using KeyframeFileError::KeyframeFileError;
+};
+
 /// The key of a keyframe that means a left joint and its mirror image alike: LKneePitch's is KneePitch. Empty
 /// for a joint without a partner and for names that do not begin with L.
 std::string bothSides(const RobotModel& robot, JointId left);
@@ -41,7 +47,7 @@ std::map<std::string, std::filesystem::path> motionFiles(
 
 /// All motions of these directories by name; where a name appears twice the later directory wins, so a
 /// robot type's own directory comes last. A directory that does not exist holds no motion, but the first
-/// must exist. Errors: KeyframeFileError.
+/// must exist. Without those of other robots. Errors: KeyframeFileError.
 std::vector<KeyframeMotion> readMotions(const std::vector<std::filesystem::path>& directories,
                                         const RobotModel& robot);
 

@@ -7,18 +7,21 @@ namespace plumbline::motion {
 
 std::optional<MissingStandUp> missingStandUp(const StandUpParameters& parameters,
                                              const std::vector<KeyframeMotion>& motions) {
-  const auto missing = [&](const char* parameter, const std::string& name) -> std::optional<MissingStandUp> {
-    if (findMotion(motions, name)) return std::nullopt;
-    return MissingStandUp{parameter, missingMotion(motions, name)};
-  };
-  for (const auto& [parameter, name] :
-       {std::pair{"front", &parameters.front}, {"back", &parameters.back}, {"side", &parameters.side}})
-    if (auto found = missing(parameter, *name)) return found;
-  for (const auto& [parameter, name] :
-       {std::pair{"fastFront", &parameters.fastFront}, {"fastBack", &parameters.fastBack}})
-    if (!name->empty())
-      if (auto found = missing(parameter, *name)) return found;
+  for (const auto& [parameter, name] : {std::pair{"front", &parameters.front},
+                                        {"back", &parameters.back},
+                                        {"side", &parameters.side},
+                                        {"fastFront", &parameters.fastFront},
+                                        {"fastBack", &parameters.fastBack}})
+    if (!name->empty() && !findMotion(motions, *name))
+      return MissingStandUp{parameter, missingMotion(motions, *name)};
   return std::nullopt;
+}
+
+bool standsUpFrom(const StandUpParameters& parameters, LyingOn how) {
+  return !(how == LyingOn::front  ? parameters.front
+           : how == LyingOn::back ? parameters.back
+                                  : parameters.side)
+              .empty();
 }
 
 LyingOn lyingOn(const Vec3& up) {

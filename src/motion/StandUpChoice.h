@@ -12,10 +12,11 @@ namespace plumbline::motion {
 struct StandUpParameters {
   PARAMETERS(StandUpParameters)
   PARAMETER(std::string, front, "standUpFront", "", Range(),
-            "motion of motions/ for a robot that lies on its front")
-  PARAMETER(std::string, back, "standUpBack", "", Range(), "for one on its back")
+            "motion of motions/ for a robot that lies on its front; empty: it stays there")
+  PARAMETER(std::string, back, "standUpBack", "", Range(), "for one on its back; empty: it stays there")
   PARAMETER(std::string, side, "rollOver", "", Range(),
-            "for one on its side: rolls it onto its back or front, from where it stands up")
+            "for one on its side: rolls it onto its back or front, from where it stands up; empty: it stays "
+            "there")
   PARAMETER(std::string, fastFront, std::string(), "", Range(),
             "the first try in place of `front`, as standUpFrontFast; empty: none")
   PARAMETER(std::string, fastBack, std::string(), "", Range(),
@@ -36,6 +37,9 @@ std::optional<MissingStandUp> missingStandUp(const StandUpParameters& parameters
                                              const std::vector<KeyframeMotion>& motions);
 
 enum class LyingOn { front, back, side };
+
+/// Whether there is a motion for a robot that lies so.
+bool standsUpFrom(const StandUpParameters& parameters, LyingOn how);
 
 /// The side on which a robot lies, by the world's vertical in the torso frame (unit): as FallDetector has it.
 LyingOn lyingOn(const Vec3& up);

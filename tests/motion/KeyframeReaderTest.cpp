@@ -173,6 +173,29 @@ TEST_F(KeyframeReaderTest, aKeyframeNamesAllJointsOrTheMotionSaysThatTheRestStay
   EXPECT_EQ(errorOf("keyframes:\n  - {time: 1, HeadYaw: 1}\n  - {time: 1}\n"), "no error") << "a pause";
 }
 
+TEST_F(KeyframeReaderTest, aMotionIsForTheRobotsThatItNames) {
+  const std::string frames = "\nkeyframes:\n  - {time: 1, HeadYaw: 10}\n";
+  for (const char* robots : {"simspark_type0", "simspark_type*", "\"*\"", "[nao_v5, simspark_type0]"})
+    EXPECT_EQ(read("robots: " + std::string(robots) + frames).keyframes.size(), 1u) << robots;
+  EXPECT_EQ(errorOf("robots: nao*" + frames), "m.yaml:1: robots: the motion is not for robot simspark_type0");
+  EXPECT_EQ(errorOf("robots: simspark_type" + frames),
+            "m.yaml:1: robots: the motion is not for robot simspark_type0");
+  for (const char* robots : {"{nao_v5: 1}", "\"\"", "[[nao_v5]]"})
+    EXPECT_EQ(
+        errorOf("robots: " + std::string(robots) + frames),
+        "m.yaml:1: robots: has to be the name of a robot, as nao_v5 or simspark_type*, or a list of names")
+        << robots;
+}
+
+TEST_F(KeyframeReaderTest, motionsOfOtherRobotsAndTheirMirrorImagesAreLeftOut) {
+  write("ours.yaml", "keyframes:\n  - {time: 1, HeadYaw: 10}\n");
+  write("theirs.yaml", "robots: nao_v5\nkeyframes:\n  - {time: 1, LWristYaw: 1000}\n");
+  write("mirrored.yaml", "mirror: theirs\n");
+  const auto motions = readMotions(directories, simsparkRobot(0));
+  ASSERT_EQ(motions.size(), 1u);
+  EXPECT_EQ(motions[0].name, "ours");
+}
+
 TEST_F(KeyframeReaderTest, aSecondDocumentIsRefused) {
   EXPECT_EQ(errorOf("keyframes:\n  - {time: 1, HeadYaw: 1}\n---\nkeyframes: 3\n"),
             "m.yaml:3: a second document begins at ---; a file holds one: take this line out");

@@ -61,6 +61,19 @@ TEST(LyingOn, theSideThatIsDown) {
   EXPECT_EQ(lyingOn(Vec3(0.6, 0.8, 0)), LyingOn::side);
 }
 
+TEST(StandsUpFrom, whereAMotionIsNamed) {
+  StandUpParameters parameters;
+  for (const LyingOn how : {LyingOn::front, LyingOn::back, LyingOn::side})
+    EXPECT_TRUE(standsUpFrom(parameters, how));
+  parameters.back = "";
+  EXPECT_TRUE(standsUpFrom(parameters, LyingOn::front));
+  EXPECT_FALSE(standsUpFrom(parameters, LyingOn::back));
+  parameters.front = parameters.side = "";
+  EXPECT_FALSE(standsUpFrom(parameters, LyingOn::front));
+  EXPECT_FALSE(standsUpFrom(parameters, LyingOn::side));
+  EXPECT_FALSE(missingStandUp(parameters, {})) << "it stays where it lies";
+}
+
 TEST(MissingStandUp, namesTheFirstMotionThatIsNotThere) {
   StandUpParameters parameters;
   std::vector<KeyframeMotion> motions;

@@ -94,7 +94,8 @@ void MotionSelector::update(MotionSelection* theMotionSelection) {
       grace_ = choice_.rolled() ? 0 : standUp.graceSeconds;
       again_ = standUp.againSeconds;
     }
-    standingUp_ = theFallState->lying() && grace_ <= 0 && !theMotionRequest->staysDown;
+    standingUp_ = theFallState->lying() && grace_ <= 0 && !theMotionRequest->staysDown &&
+                  motion::standsUpFrom(standUp, lyingOn());
     if (standingUp_) {
       start(selection, Motion::specialAction, choice_.next(standUp, lyingOn(), again_ > 0));
     } else {

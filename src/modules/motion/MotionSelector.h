@@ -26,7 +26,7 @@ END_MODULE
 
 /// Decides which motion drives the joints: the requested one as soon as the previous one can end safely. A
 /// lying robot stands up first, whatever is requested, and tries again until it is upright, as StandUpChoice
-/// says; unless the request says that it stays down.
+/// says. It does not if the request says that it stays down, or if there is no motion to stand up with.
 class MotionSelector : public MotionSelectorBase {
 public:
   void init() override;

@@ -100,6 +100,8 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
   }
   theWalkingEngineOutput->targets.angles = output.angles;
   theWalkingEngineOutput->targets.set = output.set;
+  theWalkingEngineOutput->targets.stiffness = output.stiffness;
+  theWalkingEngineOutput->leftShare = output.leftShare();
   theWalkingEngineOutput->odometry = output.odometry;
   theWalkingEngineOutput->finished = output.standing;
   theWalkingEngineOutput->fadeSeconds = fadeSeconds;

@@ -24,6 +24,7 @@ public:
   Vec3 gyro = Vec3::Zero();             ///< [rad/s]
   Vec3 acc = Vec3(0, 0, earthGravity);  ///< specific force [m/s^2]; one cycle late in SimSpark
   FootForceData leftFoot, rightFoot, leftToe, rightToe;
+  bool shear = true;  ///< forces along the sole are measured as well; else only that across it
   void stream(InStream* in, OutStream* out) override {
     STREAM(gyro);
     STREAM(acc);
@@ -31,6 +32,7 @@ public:
     STREAM(rightFoot);
     STREAM(leftToe);
     STREAM(rightToe);
+    STREAM(shear);
   }
 };
 

@@ -14,6 +14,7 @@ public:
   Pose2 odometry;                ///< motion of the robot's ground frame in this cycle, as planned
   Vec2 velocity = Vec2::Zero();  ///< walked now [m/s]
   double turn = 0;               ///< [rad/s]
+  double leftShare = 0.5;        ///< of the weight on the left foot, as planned
   WalkLimits limits;             ///< of what may be asked for
   /// Forward, sideways, turn [m/s, rad/s].
   Vec3 speed() const { return {velocity.x(), velocity.y(), turn}; }
@@ -23,6 +24,7 @@ public:
     STREAM("odometryHeading", odometry.heading);
     STREAM(velocity);
     STREAM(turn);
+    STREAM(leftShare);
     STREAM("limitForward", limits.forward);
     STREAM("limitBackward", limits.backward);
     STREAM("limitSideways", limits.sideways);

@@ -3,7 +3,7 @@
 
 #include "math/TorsoAngleFilter.h"
 #include "robot/HumanoidModel.h"
-#include "walking/engine/LegLoad.h"
+#include "walking/engine/ServoLead.h"
 #include "walking/engine/WalkEngine.h"
 
 namespace plumbline::walking {
@@ -16,15 +16,8 @@ struct ServoMeasurement {
   std::vector<std::vector<double>> footForce;  ///< per foot and sensor [N]
 };
 
-/// Command to the servos.
-struct ServoCommand {
-  std::vector<double> target;     ///< per joint [rad]
-  std::vector<double> stiffness;  ///< per joint, 0 .. 1
-};
-
-/// Between the walk and any robot with position servos, simulated or not: joint targets in, joint angles, IMU
-/// and the forces on the soles out. A servo deviates under the robot's weight by torque / kp and lags by kd /
-/// kp; its target compensates the shares servo.loadLead and servo.rateLead of these.
+/// Between the walk and any robot with position servos, simulated or not: joint targets in (ServoLead), joint
+/// angles, IMU and the forces on the soles out.
 class PositionServoAdapter {
 public:
   /// Throws std::invalid_argument for a robot that is no humanoid (Humanoid) or has other than two feet.
@@ -45,11 +38,7 @@ private:
   Humanoid robot_;
   std::array<std::size_t, 2> feet_{};  ///< left, right in Mechanism::feet
   TorsoAngleFilter filter_;
-  LegLoad load_;
-  ServoCommand command_;
-  JointArray last_{};
-  std::array<double, 2> share_{};  ///< of the weight, as it is thought to be when the command takes effect
-  bool begun_ = false;
+  ServoLead lead_;
 };
 
 }  // namespace plumbline::walking

@@ -42,6 +42,8 @@ struct WalkOutput {
   double turn = 0;                ///< [rad/s]
   /// Both: forward, sideways, turn.
   Vec3 speed() const { return {velocity.x(), velocity.y(), turn}; }
+  /// Share of the weight on the left foot.
+  double leftShare() const { return support == Support::both ? 0.5 : support == Support::left ? 1 : 0; }
   /// Joint stiffness (section 4.2.6), 0 .. 1, for robots that have it; all 0 while falling.
   JointArray stiffness = fullStiffness();
   bool falling = false;  ///< cannot be stopped any more (FallGuard); until reset() or at rest upright

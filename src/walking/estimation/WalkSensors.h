@@ -20,12 +20,13 @@ struct FootSensors {
 };
 
 /// The feet's sensors in a robot's message; felt turns each of leftFoot, rightFoot, leftToe and rightToe
-/// into an optional FootContact.
+/// into an optional FootContact. A message without `shear` has forces in all directions.
 template <class Message, class Felt>
 FootSensors feltFeet(const Message& message, const Felt& felt) {
   FootSensors feet;
   feet.foot = {felt(message.leftFoot), felt(message.rightFoot)};
   feet.toe = {felt(message.leftToe), felt(message.rightToe)};
+  if constexpr (requires { message.shear; }) feet.shear = message.shear;
   return feet;
 }
 

@@ -150,6 +150,17 @@ TEST_F(MotionSelectorTest, aRobotThatStaysDownDoesWhatIsAsked) {
   EXPECT_EQ(selection.motion, Motion::specialAction);
 }
 
+TEST_F(MotionSelectorTest, aRobotWithoutAMotionToStandUpDoesWhatIsAsked) {
+  selector->standUp.back = "";
+  cycle();
+  fall.posture = Posture::onBack;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::stand);
+  fall.posture = Posture::onFront;
+  cycle();
+  EXPECT_EQ(selection.motion, Motion::specialAction);
+}
+
 TEST_F(MotionSelectorTest, standsUpUntilItIsUp) {
   fall.posture = Posture::onBack;
   cycle();
