@@ -116,19 +116,19 @@ TEST(MotionDriver, aStandUpThatThereIsNotIsNamedWhereItIsAskedFor) {
     if (entry.path().filename() != "motions" && entry.path().filename() != "MotionSelector.yaml")
       fs::create_symlink(fs::absolute(entry.path()), fs::path(folder.path()) / entry.path().filename());
   fs::copy("config/motions", folder / "motions");
-  fs::remove(folder / "motions/rollOver.yaml");
+  fs::remove(folder / "motions/standUpBack.yaml");
   useConfigFolder(folder.path());
   const auto errorWith = [&](const std::string& text) {
     folder.write("MotionSelector.yaml", text);
     return thrownBy([] { const Puppet robot(0); });
   };
-  const std::string missing = "there is no motion rollOver in motions/";
+  const std::string missing = "there is no motion standUpBack in motions/";
   const std::string unsaid = errorWith(""), other = errorWith("standUp: {front: standUpFront}\n"),
-                    said = errorWith("standUp: {side: rollOver}\n");
+                    said = errorWith("standUp: {back: standUpBack}\n");
   useConfigFolder("config");
-  EXPECT_TRUE(unsaid.starts_with("MotionSelector.standUp.side " + missing)) << unsaid;
-  EXPECT_TRUE(other.starts_with("MotionSelector.standUp.side " + missing)) << other;
-  EXPECT_NE(said.find("MotionSelector.yaml:1: standUp.side " + missing), std::string::npos) << said;
+  EXPECT_TRUE(unsaid.starts_with("MotionSelector.standUp.back " + missing)) << unsaid;
+  EXPECT_TRUE(other.starts_with("MotionSelector.standUp.back " + missing)) << other;
+  EXPECT_NE(said.find("MotionSelector.yaml:1: standUp.back " + missing), std::string::npos) << said;
 }
 
 }  // namespace

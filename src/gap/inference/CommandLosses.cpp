@@ -105,12 +105,14 @@ CommandLosses decodeLostCommands(const std::vector<Trial>& sent, const Groups& g
     for (const ChannelUse& use : uses) of.push_back({use.readingNoise, use.readingNoise, false});
   }
   const Evidence evidence(sent, std::move(noises));
-  LostCycles decoded = findLostCycles(evidence, causes, jobs);
+  double price = LostCycles::surePrice;
+  LostCycles decoded = findLostCycles(evidence, causes, jobs, price);
   // Where many are lost, less evidence is enough for each: the price is that of the share found. One that
   // shows at once is found with either.
   for (int round = 0; round < sharesTried && decoded.slow && decoded.share > 0; ++round) {
-    const double price =
-        std::clamp(2 * std::log((1 - decoded.share) / decoded.share), leastPrice, LostCycles::surePrice);
+    const double before = price;
+    price = std::clamp(2 * std::log((1 - decoded.share) / decoded.share), leastPrice, LostCycles::surePrice);
+    if (price == before) break;
     LostCycles again = findLostCycles(evidence, causes, jobs, price);
     if (again.share <= decoded.share) break;
     decoded = std::move(again);

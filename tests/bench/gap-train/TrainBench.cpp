@@ -4,6 +4,7 @@
 // nominal model. Both begin with a walk searched on the nominal model before. Environment:
 //   ROBOTS [10], SEED [1], JOBS
 //   ENGINE [mujoco] of the robots; walks are searched in Bullet
+//   START_GENERATIONS [GENERATIONS] of the search on the nominal model before
 //   GENERATIONS [25], POPULATION [12], TRIES [6], SECONDS [6] of each search
 //   MEASURED [100] tries of each walk in the end
 // What is done is kept in build/bench/gap-train-ENGINE-SEED/: a bench that was stopped goes on. Remove the
@@ -96,10 +97,10 @@ void write(const std::vector<TrainedRobot>& robots, const TrainSetup& setup, dou
       "for a forward walk on the model with the effects found (with the nearest explanation if the "
       "verdict is unknown). The walk without is searched as long on the model without these effects. Both "
       "searches begin with the same walk, which one search before them found on the nominal model from the "
-      "walk of `config/robots/nao_v5`. Each search: " +
-      number(setup.generations) + " generations of " + number(setup.population) + ", " + number(setup.tries) +
-      " tries of " + number(setup.seconds) + " s. Both walks are tried on the robot itself, " +
-      number(setup.measured) +
+      "walk of `config/robots/nao_v5` (" +
+      number(setup.startGenerations) + " generations). Each search: " + number(setup.generations) +
+      " generations of " + number(setup.population) + ", " + number(setup.tries) + " tries of " +
+      number(setup.seconds) + " s. Both walks are tried on the robot itself, " + number(setup.measured) +
       " tries each with seeds that no search used.\n\n"
       "The walk trained without the effects goes " +
       centimetres(onModel) + " cm/s on the nominal robot in Bullet and " + centimetres(onNominal) +
@@ -141,6 +142,7 @@ int main() try {
   const auto count = std::clamp<std::uint64_t>(environment("ROBOTS", 10), 1, 100);
   setup.jobs = std::clamp<std::uint64_t>(environment("JOBS", std::thread::hardware_concurrency()), 1, 256);
   setup.generations = environment("GENERATIONS", 25);
+  setup.startGenerations = environment("START_GENERATIONS", setup.generations);
   setup.population = environment("POPULATION", 12);
   setup.tries = environment("TRIES", 6);
   setup.seconds = environment("SECONDS", 6);

@@ -93,16 +93,16 @@ double mean(const std::vector<double>& values) {
 
 TrainBench::TrainBench(const TrainSetup& setup) : setup_(setup), mechanism_(namedMechanism(robotName)) {
   start_ = setup_.folder + "/start";
-  train({"", ""}, start_);
+  train({"", ""}, start_, setup_.startGenerations);
   const std::string folder = setup_.folder + "/nominal";
-  train({"", start_}, folder);
+  train({"", start_}, folder, setup_.generations);
   nominalWalk_ = walkIn(folder);
   onNominal_ = meanOf(measure(nominalWalk_, {}, setup_.measured)).speed;
   onModel_ = meanOf(measureIn("bullet", nominalWalk_, {}, setup_.measured, 0)).speed;
   drawnOnNominal_ = measure(nominalWalk_, {}, drawnBy, firstDrawn);
 }
 
-void TrainBench::train(const TrainStart& start, const std::string& output) const {
+void TrainBench::train(const TrainStart& start, const std::string& output, std::uint64_t generations) const {
   const std::string walk = output + "/walking.yaml";
   if (fs::exists(walk) && !fs::exists(walk + ".search")) return;
   fs::create_directories(output);
@@ -112,7 +112,7 @@ void TrainBench::train(const TrainStart& start, const std::string& output) const
                                       "--task",
                                       "forward",
                                       "--generations",
-                                      std::to_string(setup_.generations),
+                                      std::to_string(generations),
                                       "--population",
                                       std::to_string(setup_.population),
                                       "--tries",
@@ -234,7 +234,7 @@ TrainedRobot TrainBench::robot(std::size_t turn) const {
   // Where nothing was found the search is the one without, and so is what it finds.
   walking::WalkGaits walk = nominalWalk_;
   if (!found.empty()) {
-    train({effects, start_}, folder + "/walk");
+    train({effects, start_}, folder + "/walk", setup_.generations);
     walk = walkIn(folder + "/walk");
   }
   const std::vector<WalkTrialResult> without = measure(nominalWalk_, truth, setup_.measured),

@@ -16,6 +16,7 @@ inline constexpr double leastLoss = 0.1, mostLoss = 0.9;
 
 struct TrainSetup {
   std::uint64_t seed = 1, jobs = 1, generations = 25, population = 12, tries = 6, seconds = 6, measured = 100;
+  std::uint64_t startGenerations = 25;  ///< of the search from which all others begin
   std::string engine = "mujoco";  ///< that the robots are in; searches for walks and the model use Bullet
   std::string folder;
 };
@@ -55,7 +56,7 @@ private:
   gap::BlindCase draw(std::size_t turn) const;
   void record(const std::string& folder) const;
   /// Searches a walk; does nothing where that was done.
-  void train(const TrainStart& start, const std::string& output) const;
+  void train(const TrainStart& start, const std::string& output, std::uint64_t generations) const;
   /// Each try on the robot with these effects, numbered from `first` (its seed): its mean speed [m/s], 0
   /// from a fall on, and falls. In the robots' engine.
   std::vector<training::WalkTrialResult> measure(const walking::WalkGaits& walk,
