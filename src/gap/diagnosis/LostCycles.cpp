@@ -11,8 +11,8 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr std::size_t reach = 4;  // cycles within which only one changes its mind in a round, at first
-constexpr int rounds = 16;
+constexpr std::size_t reach = 4;  // cycles within which only one changes its mind in a round
+constexpr int rounds = 8;
 constexpr double visibleChange = 4 * LostCycles::surePrice;
 constexpr double aboutOne = 0.3;     // cycles that a lost command is off from one cycle late
 constexpr double leastOnTime = 0.6;  // share of the losses that are one cycle late; of another cause, a third
@@ -27,47 +27,29 @@ public:
         trial_(evidence.trials()[t]),
         plant_(plantOf(trial_, causes)),
         response_(lossResponse(plant_, evidence, t, LostCycles::surePrice)),
-        guess_(trial_.cycles()) {
+        lost_(trial_.cycles(), 0),
+        gains_(trial_.cycles(), 0),
+        seen_(trial_.cycles(), 0),
+        offTime_(trial_.cycles(), 0) {
     // If a loss takes long to show, losses can imitate much else. Repeats that agree show that nothing was
     // lost, which saves the time.
     if (slow() && repeatsAgree(evidence_.trials())) return;
-    guess_.lost = decodeLosses(plant_, evidence_, t_, price_, response_.detectionCycles);
-    tryAll();
-    // Changes near each other can mix, and under a wrong model they never settle. Where together they make it
-    // worse, only those that cannot mix are made.
-    std::size_t apart = reach;
-    for (int round = 1; round < rounds; ++round) {
-      const Guess before = guess_;
-      if (!changeBest(apart)) break;
+    lost_ = decodeLosses(plant_, evidence_, t_, price_, response_.detectionCycles);
+    for (int round = 0; round < rounds; ++round) {
       tryAll();
-      if (guess_.cost < before.cost) continue;
-      guess_ = before;
-      if (apart >= response_.settlingCycles) break;
-      apart = response_.settlingCycles;
+      if (!changeBest()) break;
     }
   }
 
-  std::vector<std::uint8_t> cycles() const { return guess_.lost; }
+  std::vector<std::uint8_t> cycles() const { return lost_; }
   bool slow() const { return response_.detectionCycles > LossResponse::minDetection; }
-  bool visible(std::size_t k) const { return guess_.seen[k] >= visibleChange; }
+  bool visible(std::size_t k) const { return seen_[k] >= visibleChange; }
   /// Whether a loss left the joint one cycle late, as far as the readings show.
   bool onTime(std::size_t k) const {
-    return std::abs(guess_.offTime[k]) < aboutOne + 2 / std::sqrt(std::max(1.0, guess_.seen[k]));
+    return std::abs(offTime_[k]) < aboutOne + 2 / std::sqrt(std::max(1.0, seen_[k]));
   }
 
 private:
-  /// What may have been lost, and per cycle what turning it over would gain and change.
-  struct Guess {
-    explicit Guess(std::size_t cycles)
-        : lost(cycles, 0), gains(cycles, 0), seen(cycles, 0), offTime(cycles, 0) {}
-
-    std::vector<std::uint8_t> lost;
-    double cost = 0;  ///< squares over noise, and the losses' prices
-    std::vector<double> gains, seen;
-    std::vector<double>
-        offTime;  ///< of a loss: cycles by which what it changes is less than the readings' want
-  };
-
   Prediction played(const std::vector<std::uint8_t>& cycles) const {
     ReplayOptions options;
     options.lostCycles = &cycles;
@@ -76,28 +58,14 @@ private:
 
   /// What turning each cycle's loss over would gain, given the others.
   void tryAll() {
-    const Prediction base = played(guess_.lost);
-    guess_.cost = costOf(base);
+    const Prediction base = played(lost_);
     // What two cycles that are tried in one replay change does not mix.
     for (std::size_t offset = 0; offset < response_.settlingCycles; ++offset) {
-      std::vector<std::uint8_t> tried = guess_.lost;
+      std::vector<std::uint8_t> tried = lost_;
       for (std::size_t k = offset; k < tried.size(); k += response_.settlingCycles) tried[k] ^= 1;
       const Prediction other = played(tried);
       for (std::size_t k = offset; k < tried.size(); k += response_.settlingCycles) weigh(k, base, other);
     }
-  }
-
-  double costOf(const Prediction& base) const {
-    double cost = price_ * static_cast<double>(std::ranges::count(guess_.lost, 1));
-    for (std::size_t s = 0; s < trial_.signals.size(); ++s) {
-      if (trial_.signals[s].joint < 0 || base.values[s].empty()) continue;
-      const auto& weights = evidence_.weights(t_, s);
-      for (std::size_t i = 0; i < trial_.cycles(); ++i) {
-        const double r = trial_.signals[s].values[i] - base.values[s][i];
-        if (weights[i] > 0 && std::isfinite(r)) cost += weights[i] * r * r;
-      }
-    }
-    return cost;
   }
 
   void weigh(std::size_t k, const Prediction& base, const Prediction& other) {
@@ -114,24 +82,22 @@ private:
         along += weights[i] * r * d;
       }
     }
-    guess_.seen[k] = change;
-    guess_.offTime[k] = change > 0 ? along / change : 0;
-    // What was decoded as lost stays lost if its readings say so at all: else too few would be found.
-    guess_.gains[k] = gain - (guess_.lost[k] ? 0 : price_);
+    seen_[k] = change;
+    offTime_[k] = change > 0 ? along / change : 0;
+    gains_[k] = gain - (lost_[k] ? 0 : price_);
   }
 
   /// Neighbours explain much of the same: only the best of them changes in a round.
-  bool changeBest(std::size_t apart) {
-    const std::vector<double>& gains = guess_.gains;
+  bool changeBest() {
     bool any = false;
-    for (std::size_t k = 0; k < gains.size(); ++k) {
-      if (gains[k] <= 0) continue;
-      const std::size_t from = k >= apart ? k - apart : 0, to = std::min(k + apart + 1, gains.size());
+    for (std::size_t k = 0; k < gains_.size(); ++k) {
+      if (gains_[k] <= 0) continue;
+      const std::size_t from = k >= reach ? k - reach : 0, to = std::min(k + reach + 1, gains_.size());
       bool best = true;
       for (std::size_t i = from; i < to; ++i)
-        best = best && (gains[i] < gains[k] || i == k || (gains[i] == gains[k] && i > k));
+        best = best && (gains_[i] < gains_[k] || i == k || (gains_[i] == gains_[k] && i > k));
       if (!best) continue;
-      guess_.lost[k] ^= 1;
+      lost_[k] ^= 1;
       any = true;
     }
     return any;
@@ -143,7 +109,10 @@ private:
   const Trial& trial_;
   const Plant plant_;
   const LossResponse response_;
-  Guess guess_;
+  std::vector<std::uint8_t> lost_;
+  std::vector<double> gains_, seen_;
+  std::vector<double>
+      offTime_;  ///< of a loss: cycles by which what it changes is less than the readings' want
 };
 
 }  // namespace

@@ -139,4 +139,28 @@ BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& optio
   return tools.coarse ? searchByDerivatives(tools, options) : searchSets(tools.replayer, options);
 }
 
+BeamResult withOthers(const Replayer& replayer, BeamResult found, const std::vector<Explanation>& others,
+                      const SetSearchOptions& options) {
+  const Shares shares = sharesOf(replayer.groups(), replayer.residuals(found.sets.front().causes()));
+  const auto judged = [&](const Explanation& causes) {
+    return score(replayer, shares, causes, found.kinds, options.lastSteps, options.lastLeaveOut);
+  };
+  std::vector<SetProposal> answers{{found.sets.front(), found.lessOne}};
+  for (const Explanation& causes : others) {
+    SetProposal proposal{judged(causes), {}};
+    if (proposal.set.score() <= answers.front().set.score()) {
+      found.sets.push_back(std::move(proposal.set));
+      continue;
+    }
+    if (!idleCauses(replayer, proposal.set.causes()).empty()) continue;
+    for (std::size_t i = 0; i < causes.size(); ++i) {
+      Explanation rest = proposal.set.causes();
+      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
+      proposal.lessOne.push_back(judged(rest));
+    }
+    answers.push_back(std::move(proposal));
+  }
+  return chosen(answers, {found.sets.begin() + 1, found.sets.end()}, found.kinds);
+}
+
 }  // namespace plumbline::gap

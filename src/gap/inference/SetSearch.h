@@ -34,4 +34,9 @@ SetSearchOptions quickly(SetSearchOptions options);
 /// sets: what free replays gain in the groups left out.
 BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options);
 
+/// What was found, with other sets judged by the same score: each is fitted from its values to all groups.
+/// The best becomes the answer, unless one of its causes does nothing.
+BeamResult withOthers(const Replayer& replayer, BeamResult found, const std::vector<Explanation>& others,
+                      const SetSearchOptions& options);
+
 }  // namespace plumbline::gap
