@@ -132,10 +132,11 @@ void StagedSearch::finish(StoredParts& parts) {
   first.without = findWithoutEach(tools(), search_, [&](std::size_t g, std::size_t left, const auto& run) {
     return searchAllKinds(setsOfCauses + name_ + nameWithout(g), left, parts, run);
   });
-  // A search can end where a part of the recordings would not have led it.
+  // A search among many kinds can end where a part of the recordings would not have led it. Few kinds are
+  // tried more thoroughly.
   std::vector<Explanation> others;
   for (const FoundWithout& of : first.without)
-    if (!of.causes.empty()) others.push_back(of.causes);
+    if (coarse_ && !of.causes.empty()) others.push_back(of.causes);
   if (!others.empty()) {
     first.found = withOthers(first.replayer, std::move(first.found), others, search_);
     first.probabilities = posterior(first.found.sets);
