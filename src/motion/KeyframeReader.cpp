@@ -101,18 +101,18 @@ private:
   void checkRobots(const YAML::Node& root) const {
     const YAML::Node value = root["robots"];
     if (!value) return;
-    std::vector<YAML::Node> names;
-    if (!value.IsSequence()) names.push_back(value);
-    for (std::size_t i = 0; value.IsSequence() && i < value.size(); ++i) names.push_back(value[i]);
-    bool ours = false;
-    for (const YAML::Node& node : names) {
-      if (!node.IsScalar() || node.Scalar().empty())
-        fail(value, "robots",
-             "has to be the name of a robot, as nao_v5 or simspark_type*, or a list of names");
+    const std::size_t count = value.IsSequence() ? value.size() : 1;
+    bool ours = false, wrong = count == 0;
+    for (std::size_t i = 0; i < count && !wrong; ++i) {
+      const YAML::Node node = value.IsSequence() ? value[i] : value;
+      wrong = !node.IsScalar() || node.Scalar().empty();
+      if (wrong) continue;
       const std::string& name = node.Scalar();
       ours = ours || (name.back() == '*' ? robot_.name.starts_with(name.substr(0, name.size() - 1))
                                          : robot_.name == name);
     }
+    if (wrong)
+      fail(value, "robots", "has to be the name of a robot, as nao_v5 or simspark_type*, or a list of names");
     if (!ours) fail<MotionOfOtherRobots>(value, "robots", "the motion is not for robot " + robot_.name);
   }
 
@@ -343,11 +343,13 @@ std::vector<KeyframeMotion> readMotions(const std::vector<fs::path>& directories
   const auto files = motionFiles(directories);
   std::vector<KeyframeMotion> motions;
   motions.reserve(files.size());
-  for (const auto& [name, path] : files) try {
+  for (const auto& [name, path] : files) {
+    try {
       motions.push_back(readKeyframeFile(path, robot, directories));
     } catch (const MotionOfOtherRobots&) {
-      continue;
+      // The robot does not have it.
     }
+  }
   return motions;
 }
 

@@ -5,6 +5,21 @@
 
 namespace plumbline::motion {
 
+namespace {
+
+const std::string& usualFrom(const StandUpParameters& parameters, LyingOn how) {
+  switch (how) {
+    case LyingOn::front:
+      return parameters.front;
+    case LyingOn::back:
+      return parameters.back;
+    default:
+      return parameters.side;
+  }
+}
+
+}  // namespace
+
 std::optional<MissingStandUp> missingStandUp(const StandUpParameters& parameters,
                                              const std::vector<KeyframeMotion>& motions) {
   for (const auto& [parameter, name] : {std::pair{"front", &parameters.front},
@@ -18,10 +33,7 @@ std::optional<MissingStandUp> missingStandUp(const StandUpParameters& parameters
 }
 
 bool standsUpFrom(const StandUpParameters& parameters, LyingOn how) {
-  return !(how == LyingOn::front  ? parameters.front
-           : how == LyingOn::back ? parameters.back
-                                  : parameters.side)
-              .empty();
+  return !usualFrom(parameters, how).empty();
 }
 
 LyingOn lyingOn(const Vec3& up) {
@@ -41,10 +53,10 @@ const std::string& StandUpChoice::next(const StandUpParameters& parameters, Lyin
   else if (!rolled_)
     ++failed_;
   rolled_ = how == LyingOn::side;
-  if (rolled_) return parameters.side;
   const bool first = failed_ % 2 == 0;
-  if (how == LyingOn::front) return first && fastFront_ ? parameters.fastFront : parameters.front;
-  return first && fastBack_ ? parameters.fastBack : parameters.back;
+  if (first && how == LyingOn::front && fastFront_) return parameters.fastFront;
+  if (first && how == LyingOn::back && fastBack_) return parameters.fastBack;
+  return usualFrom(parameters, how);
 }
 
 void StandUpChoice::forget() {

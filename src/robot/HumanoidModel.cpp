@@ -115,4 +115,12 @@ std::vector<double> Humanoid::toMechanism(const JointArray& values) const {
   return result;
 }
 
+std::array<std::size_t, 2> twoFeet(const Mechanism& mechanism, const Humanoid& humanoid) {
+  if (mechanism.feet.size() != 2)
+    throw std::invalid_argument("robot " + mechanism.name + " has " + std::to_string(mechanism.feet.size()) +
+                                " feet; the walk needs two");
+  const int left = mechanism.joints[static_cast<std::size_t>(humanoid.mechanismJoint(lAnkleRoll))].child;
+  return mechanism.feet[0].link == left ? std::array<std::size_t, 2>{0, 1} : std::array<std::size_t, 2>{1, 0};
+}
+
 }  // namespace plumbline

@@ -1,4 +1,5 @@
 #pragma once
+#include <array>
 #include <vector>
 
 #include "robot/Mechanism.h"
@@ -31,5 +32,9 @@ private:
   PerJoint<int> indices_{};
   std::size_t mechanismJoints_;
 };
+
+/// The robot's left and right foot in Mechanism::feet, by its ankles. Throws std::invalid_argument for a
+/// robot with other than two feet.
+std::array<std::size_t, 2> twoFeet(const Mechanism& mechanism, const Humanoid& humanoid);
 
 }  // namespace plumbline

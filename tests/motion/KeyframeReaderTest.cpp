@@ -180,7 +180,7 @@ TEST_F(KeyframeReaderTest, aMotionIsForTheRobotsThatItNames) {
   EXPECT_EQ(errorOf("robots: nao*" + frames), "m.yaml:1: robots: the motion is not for robot simspark_type0");
   EXPECT_EQ(errorOf("robots: simspark_type" + frames),
             "m.yaml:1: robots: the motion is not for robot simspark_type0");
-  for (const char* robots : {"{nao_v5: 1}", "\"\"", "[[nao_v5]]"})
+  for (const char* robots : {"{nao_v5: 1}", "\"\"", "[]", "[[nao_v5]]"})
     EXPECT_EQ(
         errorOf("robots: " + std::string(robots) + frames),
         "m.yaml:1: robots: has to be the name of a robot, as nao_v5 or simspark_type*, or a list of names")

@@ -146,7 +146,10 @@ BeamResult withOthers(const Replayer& replayer, BeamResult found, const std::vec
     return score(replayer, shares, causes, found.kinds, options.lastSteps, options.lastLeaveOut);
   };
   std::vector<SetProposal> answers{{found.sets.front(), found.lessOne}};
-  for (const Explanation& causes : others) {
+  for (auto one = others.begin(); one != others.end(); ++one) {
+    const Explanation& causes = *one;
+    const auto alike = [&](const Explanation& other) { return sameKinds(other, causes); };
+    if (alike(answers.front().set.causes()) || std::any_of(others.begin(), one, alike)) continue;
     SetProposal proposal{judged(causes), {}};
     if (proposal.set.score() <= answers.front().set.score()) {
       found.sets.push_back(std::move(proposal.set));

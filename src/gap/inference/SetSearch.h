@@ -34,8 +34,8 @@ SetSearchOptions quickly(SetSearchOptions options);
 /// sets: what free replays gain in the groups left out.
 BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options);
 
-/// What was found, with other sets judged by the same score: each is fitted from its values to all groups.
-/// The best becomes the answer, unless one of its causes does nothing.
+/// What was found, with other sets judged by the same score: each is fitted from its values to all groups, of
+/// those with the same causes the first. The best becomes the answer, unless one of its causes does nothing.
 BeamResult withOthers(const Replayer& replayer, BeamResult found, const std::vector<Explanation>& others,
                       const SetSearchOptions& options);
 

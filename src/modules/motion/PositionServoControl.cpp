@@ -20,9 +20,7 @@ void PositionServoControl::update(ServoRequest* theServoRequest) {
   if (!theRobotDescription->known()) return;
   if (theRobotDescription->name != robot_) {
     robot_ = theRobotDescription->name;
-    const Mechanism mechanism = findMechanism(robot_);
-    humanoid_ = std::make_unique<Humanoid>(mechanism);
-    lead_ = std::make_unique<walking::ServoLead>(mechanism, *humanoid_);
+    lead_ = std::make_unique<walking::ServoLead>(findMechanism(robot_));
     begin();
   } else if (theFrameInfo->restarted) {
     begin();
@@ -37,8 +35,8 @@ void PositionServoControl::update(ServoRequest* theServoRequest) {
   const walking::ServoCommand& command =
       lead_->command({targets_.angles, targets_.set, targets_.stiffness, leftShare}, gaits_.base,
                      Vec2(theTorsoAngles->roll, theTorsoAngles->pitch), theFrameInfo->cycleSeconds);
-  theServoRequest->angles = humanoid_->toModel(command.target);
-  theServoRequest->stiffness = humanoid_->toModel(command.stiffness);
+  theServoRequest->angles = lead_->humanoid().toModel(command.target);
+  theServoRequest->stiffness = lead_->humanoid().toModel(command.stiffness);
 }
 
 }  // namespace plumbline

@@ -26,8 +26,8 @@ MODULE(PositionServoControl)
 END_MODULE
 
 /// Commands with which position servos reach the requested angles in spite of load and lag (ServoLead; the
-/// shares are `servo` in walking.yaml). Joints that nobody has requested yet stay where they were at the
-/// start.
+/// shares are `servo` in walking.yaml, without those of its gaits). Joints that nobody has requested yet stay
+/// where they were at the start.
 class PositionServoControl : public PositionServoControlBase {
 public:
   void init() override;
@@ -38,7 +38,6 @@ private:
 
   walking::WalkGaits gaits_;
   std::string robot_;
-  std::unique_ptr<Humanoid> humanoid_;
   std::unique_ptr<walking::ServoLead> lead_;
   JointTargets targets_;
 };

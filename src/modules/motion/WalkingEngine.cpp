@@ -88,6 +88,7 @@ void WalkingEngine::update(WalkingEngineOutput* theWalkingEngineOutput) {
     sensors.torsoAngles = Vec2(theTorsoAngles->roll, theTorsoAngles->pitch);
     sensors.gyro = theSensorData->gyro;
     sensors.feet = walking::feltFeet(*theSensorData, felt);
+    sensors.feet->shear = theSensorData->shear;
     sensors.dt = theFrameInfo->cycleSeconds;
     output = engine_->update(request, sensors);
     if (fit_ && request.walk) fitModel();

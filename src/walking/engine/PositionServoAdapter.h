@@ -25,8 +25,8 @@ public:
   PositionServoAdapter(const PositionServoAdapter&) = delete;
   PositionServoAdapter& operator=(const PositionServoAdapter&) = delete;
 
-  const Humanoid& humanoid() const { return robot_; }
-  double cycle() const { return 1 / mechanism_.controlHz; }  ///< [s]
+  const Humanoid& humanoid() const { return lead_.humanoid(); }
+  double cycle() const { return 1 / lead_.mechanism().controlHz; }  ///< [s]
 
   void reset();
   WalkSensors sense(const ServoMeasurement& measured);
@@ -34,11 +34,9 @@ public:
   const ServoCommand& command(const WalkOutput& output, const WalkParameters& p, const WalkSensors& sensors);
 
 private:
-  Mechanism mechanism_;
-  Humanoid robot_;
-  std::array<std::size_t, 2> feet_{};  ///< left, right in Mechanism::feet
-  TorsoAngleFilter filter_;
   ServoLead lead_;
+  std::array<std::size_t, 2> feet_;  ///< left, right in Mechanism::feet
+  TorsoAngleFilter filter_;
 };
 
 }  // namespace plumbline::walking

@@ -4,8 +4,8 @@
 
 namespace plumbline::walking {
 
-ServoLead::ServoLead(const Mechanism& mechanism, const Humanoid& robot)
-    : mechanism_(mechanism), robot_(robot), load_(robot.model()) {
+ServoLead::ServoLead(const Mechanism& mechanism)
+    : mechanism_(mechanism), robot_(mechanism_), load_(robot_.model()) {
   reset();
 }
 

@@ -26,10 +26,13 @@ struct ServoTargets {
 /// torque / kp and lags by kd / kp; the shares servo.loadLead and servo.rateLead of these are compensated.
 class ServoLead {
 public:
-  /// `robot` is the model of `mechanism`. Both are copied.
-  ServoLead(const Mechanism& mechanism, const Humanoid& robot);
+  /// Throws std::invalid_argument for a robot that is no humanoid (Humanoid).
+  explicit ServoLead(const Mechanism& mechanism);
   ServoLead(const ServoLead&) = delete;
   ServoLead& operator=(const ServoLead&) = delete;
+
+  const Mechanism& mechanism() const { return mechanism_; }
+  const Humanoid& humanoid() const { return robot_; }
 
   void reset();
   /// p: the walk's parameters now. torsoAngles: roll and pitch [rad]. dt: of a cycle [s]. Joints that are not
@@ -38,8 +41,8 @@ public:
                               double dt);
 
 private:
-  Mechanism mechanism_;
-  Humanoid robot_;
+  const Mechanism mechanism_;
+  const Humanoid robot_;
   LegLoad load_;
   ServoCommand command_;
   JointArray last_{};

@@ -11,7 +11,7 @@ namespace plumbline::walking {
 /// nothing below 1 N. Throws std::out_of_range for fewer forces than sensors.
 inline std::optional<FootContact> soleContact(const Mechanism& robot, const Mechanism::Foot& foot,
                                               const std::vector<double>& forces) {
-  constexpr double leastForce = 1;
+  constexpr double leastForce = 1;  // [N]
   double sum = 0;
   Vec3 centre = Vec3::Zero();
   for (std::size_t k = 0; k < foot.sensors.size(); ++k) {

@@ -20,13 +20,12 @@ struct FootSensors {
 };
 
 /// The feet's sensors in a robot's message; felt turns each of leftFoot, rightFoot, leftToe and rightToe
-/// into an optional FootContact. A message without `shear` has forces in all directions.
+/// into an optional FootContact.
 template <class Message, class Felt>
 FootSensors feltFeet(const Message& message, const Felt& felt) {
   FootSensors feet;
   feet.foot = {felt(message.leftFoot), felt(message.rightFoot)};
   feet.toe = {felt(message.leftToe), felt(message.rightToe)};
-  if constexpr (requires { message.shear; }) feet.shear = message.shear;
   return feet;
 }
 

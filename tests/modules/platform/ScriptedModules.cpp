@@ -1,5 +1,6 @@
 #include "ScriptedModules.h"
 
+#include "BlindSensors.h"
 #include "ScriptedPlatform.h"
 
 namespace plumbline {
@@ -7,20 +8,6 @@ namespace plumbline {
 MAKE_MODULE(ScriptedSensors)
 MAKE_MODULE(ScriptedWish)
 MAKE_MODULE(ScriptedMotors)
-
-namespace {
-
-FootForceData felt(const std::optional<simulation::FootForce>& force) {
-  FootForceData data;
-  data.contact = force.has_value();
-  if (force) {
-    data.point = force->point;
-    data.force = force->force;
-  }
-  return data;
-}
-
-}  // namespace
 
 void ScriptedSensors::update(FrameInfo* theFrameInfo) {
   theFrameInfo->time = object<test::ScriptedWorld>().robot.time();
@@ -35,8 +22,8 @@ void ScriptedSensors::update(SensorData* theSensorData) {
   const simulation::RobotReadings& readings = object<test::ScriptedWorld>().robot.sense();
   theSensorData->gyro = readings.gyro;
   theSensorData->acc = readings.acc;
-  theSensorData->leftFoot = felt(readings.leftFoot);
-  theSensorData->rightFoot = felt(readings.rightFoot);
+  theSensorData->leftFoot = footForce(readings.leftFoot);
+  theSensorData->rightFoot = footForce(readings.rightFoot);
 }
 
 void ScriptedWish::update(MotionRequest* theMotionRequest) {

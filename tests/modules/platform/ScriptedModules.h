@@ -1,45 +1,28 @@
 #pragma once
 #include "framework/Module.h"
 #include "representations/infrastructure/FrameInfo.h"
-#include "representations/infrastructure/GameState.h"
 #include "representations/infrastructure/JointData.h"
 #include "representations/infrastructure/PlayerInfo.h"
 #include "representations/infrastructure/SensorData.h"
 #include "representations/motion/JointRequest.h"
 #include "representations/motion/MotionRequest.h"
-#include "representations/perception/HearPercept.h"
-#include "representations/perception/PolarPercepts.h"
 
 namespace plumbline {
 
 MODULE(ScriptedSensors)
   PROVIDES(FrameInfo)
-  PROVIDES(GameState)
   PROVIDES(PlayerInfo)
   PROVIDES(JointData)
   PROVIDES(SensorData)
-  PROVIDES(VisionInfo)
-  PROVIDES(PolarBallPercept)
-  PROVIDES(PolarLandmarkPercept)
-  PROVIDES(PolarLinePercept)
-  PROVIDES(PolarPlayerPercept)
-  PROVIDES(HearPercept)
 END_MODULE
 
 /// What the robot of test::ScriptedWorld feels; it sees nothing.
 class ScriptedSensors : public ScriptedSensorsBase {
 public:
   void update(FrameInfo* theFrameInfo) override;
-  void update(GameState*) override {}
   void update(PlayerInfo* thePlayerInfo) override { thePlayerInfo->robot = "simspark_type0"; }
   void update(JointData* theJointData) override;
   void update(SensorData* theSensorData) override;
-  void update(VisionInfo*) override {}
-  void update(PolarBallPercept*) override {}
-  void update(PolarLandmarkPercept*) override {}
-  void update(PolarLinePercept*) override {}
-  void update(PolarPlayerPercept*) override {}
-  void update(HearPercept*) override {}
 };
 
 MODULE(ScriptedWish)

@@ -1,5 +1,6 @@
 #include "ServoModules.h"
 
+#include "BlindSensors.h"
 #include "ServoPlatform.h"
 #include "walking/estimation/SoleContact.h"
 
@@ -32,24 +33,17 @@ void ServoSensors::update(SensorData* theSensorData) {
   theSensorData->gyro = R_torso_sensor * readings.gyro;
   theSensorData->acc = R_torso_sensor * readings.acc;
   theSensorData->shear = false;
-  for (std::size_t i = 0; i < 2; ++i) {
-    const Mechanism::Foot& foot = world.mechanism.feet[i];
-    const bool left = world.mechanism.links[static_cast<std::size_t>(foot.link)].name[0] == 'L';
-    FootForceData& data = left ? theSensorData->leftFoot : theSensorData->rightFoot;
-    const auto contact = walking::soleContact(world.mechanism, foot, readings.footForce[i]);
-    data.contact = contact.has_value();
-    if (!contact) continue;
-    data.point = contact->point;
-    data.force = contact->force;
-  }
+  const auto [left, right] = twoFeet(world.mechanism, world.humanoid);
+  const auto felt = [&](std::size_t foot) {
+    return footForce(
+        walking::soleContact(world.mechanism, world.mechanism.feet[foot], readings.footForce[foot]));
+  };
+  theSensorData->leftFoot = felt(left);
+  theSensorData->rightFoot = felt(right);
 }
 
 void ServoWish::update(MotionRequest* theMotionRequest) {
-  const MotionRequest& wish = object<test::ServoWorld>().wish;
-  theMotionRequest->motion = wish.motion;
-  theMotionRequest->walkVelocity = wish.walkVelocity;
-  theMotionRequest->walkTurn = wish.walkTurn;
-  theMotionRequest->specialAction = wish.specialAction;
+  *theMotionRequest = object<test::ServoWorld>().wish;
 }
 
 void ServoMotors::execute() {

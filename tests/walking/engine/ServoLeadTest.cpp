@@ -12,7 +12,7 @@ class ServoLeadTest : public testing::Test {
 protected:
   ServoLeadTest() {
     p.posture.hipHeight = 0.22;
-    const WalkOutput stand = WalkEngine(p, humanoid.model()).stand();
+    const WalkOutput stand = WalkEngine(p, lead.humanoid().model()).stand();
     angles = stand.angles;
     set = stand.set;
     p.servo.loadLead = p.servo.rateLead = 0;
@@ -23,8 +23,7 @@ protected:
   }
 
   const Mechanism nao = findMechanism("nao_v5");
-  const Humanoid humanoid{nao};
-  ServoLead lead{nao, humanoid};
+  ServoLead lead{nao};
   WalkParameters p;
   JointArray angles{}, stiffness = WalkOutput::fullStiffness();
   JointFlags set{};

@@ -1,0 +1,7 @@
+#include "BlindSensors.h"
+
+namespace plumbline {
+
+MAKE_MODULE(BlindSensors)
+
+}  // namespace plumbline
