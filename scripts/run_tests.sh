@@ -29,17 +29,17 @@ progress=""
 export UBSAN_OPTIONS=${UBSAN_OPTIONS:-print_stacktrace=1}
 export TSAN_OPTIONS=${TSAN_OPTIONS:-suppressions=$root/tests/support/thread.supp second_deadlock_stack=1}
 
-# Adds one result and prints it: name, log, exit status, tests passed, failed, seconds, tests skipped.
+# Adds one result and prints it: name, log, exit status, tests passed, failed, seconds, tests skipped, seconds of computing.
 account() {
-  local name=$1 log=$2 status=$3 good=$4 bad=$5 seconds=$6 skipped=${7:-0}
+  local name=$1 log=$2 status=$3 good=$4 bad=$5 seconds=$6 skipped=${7:-0} computed=${8:-0}
   if ((status != 0 && bad == 0)); then bad=1; fi
   passed=$((passed + good)) failed=$((failed + bad))
   if ((bad)); then
     printf '%s FAIL  %-38s %4d passed, %d failed %6.1f s  log: %s\n' "$progress" "$name" "$good" "$bad" "$seconds" "$log"
     failures+=("$log")
   else
-    printf '%s ok    %-38s %4d passed%s           %6.1f s\n' "$progress" "$name" "$good" \
-      "$( ((skipped)) && echo ", $skipped skipped")" "$seconds"
+    printf '%s ok    %-38s %4d passed%s           %6.1f s, %6.1f s of computing\n' "$progress" "$name" "$good" \
+      "$( ((skipped)) && echo ", $skipped skipped")" "$seconds" "$computed"
   fi
 }
 
@@ -93,7 +93,10 @@ runOne() { # $1 target, $2 kind, $3 path, $4 name, $5 $6 which part of how many
   ((status == 124 || status == 137)) && echo "run_tests.sh: stopped after $timeout s" >> "$log"
   # 152: the signal of the limit; a script that it meets in a child fails by itself.
   ((status == 152)) && echo "run_tests.sh: stopped after $cpuSeconds s of computing" >> "$log"
-  echo "$status ${good:-0} ${bad:-1} $(awk "BEGIN{print ($end - $start) / 1e9}") $skipped" > "$log.result"
+  times > "$log.times" # in its second line, user and system time of what this shell has started
+  echo "$status ${good:-0} ${bad:-1} $(awk "BEGIN{print ($end - $start) / 1e9}") $skipped $(awk -F '[ms ]+' '
+    NR == 2 {print 60 * $1 + $2 + 60 * $3 + $4}' "$log.times")" > "$log.result"
+  rm -f "$log.times"
 }
 
 # Runs the tests of one target: test programs, then shell tests that it plays, as many at once as jobs.
@@ -160,10 +163,10 @@ isGood() { # $1 target, $2 name
 
 # Counts and prints what a test left beside its log.
 accountFor() { # $1 target, $2 name
-  local log status=1 good=0 bad=1 seconds=0 skipped=0
+  local log status=1 good=0 bad=1 seconds=0 skipped=0 computed=0
   log=$(logOf "$1" "$2")
-  [[ -f $log.result ]] && read -r status good bad seconds skipped < "$log.result"
-  account "$1 $2" "$log" "$status" "$good" "$bad" "$seconds" "$skipped"
+  [[ -f $log.result ]] && read -r status good bad seconds skipped computed < "$log.result"
+  account "$1 $2" "$log" "$status" "$good" "$bad" "$seconds" "$skipped" "$computed"
 }
 
 # Builds goals of one target ($1), as scripts/build.sh names them; only a failure counts.

@@ -4,6 +4,7 @@
 #include <string>
 #include <string_view>
 
+#include "simspark/SExpression.h"
 #include "simspark/ServerMessage.h"
 
 namespace plumbline::simspark {
@@ -14,9 +15,18 @@ struct ParseError {
   std::string what;
 };
 
-/// Reads one message of the server to an agent (without frame) into message, whose old content goes. Nodes it
-/// does not know are skipped. On an error message holds what came before it. Reentrant; takes no time but the
-/// text's. Grammar: ServerMessage.y, words: ServerMessage.l.
+/// Reads messages of the server to an agent (without frame). Nodes that it does not know are skipped, at the
+/// top and inside known ones; a known one with too few or too many words is an error.
+class ServerMessageParser {
+public:
+  /// Fills message, whose old content goes. On an error it holds what came before it.
+  std::optional<ParseError> parse(std::string_view text, ServerMessage& message);
+
+private:
+  SExpressions tree_{{.depth = 64, .nodes = 1 << 16}};  ///< keeps its memory; 22 players take 2,000 nodes
+};
+
+/// The same for one message.
 std::optional<ParseError> parseServerMessage(std::string_view text, ServerMessage& message);
 
 }  // namespace plumbline::simspark

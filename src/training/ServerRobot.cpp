@@ -12,7 +12,6 @@
 #include "framework/StopSignal.h"
 #include "robot/LegKinematics.h"
 #include "simspark/LeagueRobots.h"
-#include "simspark/ServerMessageParser.h"
 
 namespace plumbline::training {
 namespace {
@@ -154,7 +153,7 @@ void ServerRobot::exchange(simspark::AgentCommand command) {
     case simspark::Connection::Status::closed:
       throw failure("went away: " + agent_.error());
   }
-  if (const auto error = simspark::parseServerMessage(text, message_))
+  if (const auto error = parser_.parse(text, message_))
     throw failure(
         fmt::format("sent a message that cannot be read, at byte {}: {}", error->position, error->what));
   for (std::size_t j = 0; j < numHumanoidJoints; ++j)

@@ -11,6 +11,7 @@
 #include "simspark/Connection.h"
 #include "simspark/MonitorClient.h"
 #include "simspark/ServerMessage.h"
+#include "simspark/ServerMessageParser.h"
 #include "simspark/StandardPorts.h"
 #include "simulation/world/World.h"
 
@@ -77,6 +78,7 @@ private:
   simspark::Connection agent_;
   simspark::Connection leaving_;  ///< of the robot before, while a new one joins
   simspark::MonitorClient trainer_;
+  simspark::ServerMessageParser parser_;
   simspark::ServerMessage message_;
   simulation::RobotReadings readings_;
   simspark::PlayerName name_;

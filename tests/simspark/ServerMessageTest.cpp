@@ -173,11 +173,21 @@ TEST(ServerMessage, errorsNameThePlace) {
   for (const BadCase& bad : {
            BadCase{"(time (now x1))", 11, "'x1' is no number"},
            BadCase{"(GS (unum 1.5))", 10, "'1.5' is no whole number"},
-           BadCase{"(time (now 1)", 13, "syntax error, unexpected end of file, expecting ) or (name or (now"},
-           BadCase{"(time (now 1)))", 14, "syntax error, unexpected )"},
-           BadCase{"(GYR (n torso) (rt 1 2))", 22, "syntax error, unexpected ), expecting word"},
+           BadCase{"(time (now 1)", 13, "a parenthesis is not closed"},
+           BadCase{"(time (now 1)))", 14, "a closing parenthesis without an opening one"},
+           BadCase{"(GYR (n torso) (rt 1 2))", 16, "'rt' has not 3 words behind it"},
+           BadCase{"(GYR (n torso) (rt 1 2 3 4))", 16, "'rt' has not 3 words behind it"},
+           BadCase{"(time (now (1)))", 7, "'now' has not 1 word behind it"},
+           BadCase{"(time 1)", 6, "'1' is no list, as fields of 'time' are"},
+           BadCase{"(time (now 1)) word", 15, "a word outside of all parentheses"},
+           BadCase{"(hear 1 self x)(hear 1 self)", 16, "'hear' has not 3 words behind it"},
+           BadCase{"(See (B (pol 1 2)))", 9, "'pol' has not 3 words behind it"},
+           BadCase{"(GT (B))", 5, "'B' has not one list of three numbers behind it"},
+           BadCase{"(GT (B ()))", 5, "'B' has not one list of three numbers behind it"},
+           BadCase{"(GT (B (1 2 3 4)))", 5, "'B' has not one list of three numbers behind it"},
+           BadCase{"(GT (B (1 2 x)))", 12, "'x' is no number"},
            BadCase{"(ACC (n torso) (a 1 nan 2))", 20, "'nan' is no number"},
-           BadCase{"(GT (mypos (up 0 0 1)(forward 0 0 1)))", 37, "the axes of mypos span no frame"},
+           BadCase{"(GT (mypos (up 0 0 1)(forward 0 0 1)))", 1, "the axes of mypos span no frame"},
        }) {
     ServerMessage message;
     const auto error = parseServerMessage(bad.text, message);
@@ -187,14 +197,53 @@ TEST(ServerMessage, errorsNameThePlace) {
   }
 }
 
+TEST(ServerMessage, holdsWhatCameBeforeAnError) {
+  ServerMessage message;
+  EXPECT_TRUE(parseServerMessage("(time (now 3))(HJ (n hj1) (ax 5))(HJ (n hj2) (ax x))(GS (t 4))", message));
+  EXPECT_EQ(message.time, 3);
+  EXPECT_TRUE(message.angle[headYaw]);
+  EXPECT_FALSE(message.angle[headPitch]) << "half of a node is none";
+  EXPECT_EQ(message.gameState.time, 0);
+  EXPECT_TRUE(parseServerMessage("(time (now 2))(GS (t 4)", message));
+  EXPECT_EQ(message.time, 2);
+  EXPECT_EQ(message.gameState.time, 0);
+}
+
+TEST(ServerMessage, aSensorWithoutItsReadingIsLeftOut) {
+  const ServerMessage message = parsed("(HJ (n hj1) (ax 5))(HJ (n hj2))(FRP (n lf) (c 1 1 1))");
+  EXPECT_FALSE(message.angle[headPitch]);
+  EXPECT_FALSE(message.leftFoot);
+}
+
+TEST(ServerMessage, aSensorWithoutNameIsNotTheOneBefore) {
+  const ServerMessage message =
+      parsed("(HJ (n hj1) (ax 5))(HJ (ax 7))(FRP (n lf) (c 1 1 1) (f 1 1 1))(FRP (f 2 2 2))");
+  EXPECT_DOUBLE_EQ(*message.angle[headYaw], fromDegrees(5));
+  EXPECT_EQ(message.leftFoot->force, Vec3(1, -1, 1));
+}
+
+TEST(ServerMessage, oneParserReadsMessageAfterMessage) {
+  ServerMessageParser parser;
+  ServerMessage message;
+  EXPECT_FALSE(parser.parse("(time (now 1))(See (B (pol 1 2 3)))", message));
+  EXPECT_TRUE(parser.parse("(time", message));
+  EXPECT_FALSE(message.see);
+  EXPECT_FALSE(parser.parse("(time (now 2))", message));
+  EXPECT_EQ(message.time, 2);
+  EXPECT_FALSE(message.see);
+}
+
 TEST(ServerMessage, emptyAndHugeAndDeep) {
   ServerMessage message;
   EXPECT_FALSE(parseServerMessage("", message));
   EXPECT_FALSE(parseServerMessage(" \n\t", message));
   EXPECT_TRUE(parseServerMessage(std::string(5 << 20, '('), message));
+  std::string many;
+  for (int i = 0; i < 1 << 15; ++i) many += "(x)";
+  EXPECT_EQ(parseServerMessage(many + "(x)", message)->what, "too many elements");
   const auto error = parseServerMessage(std::string(100000, '('), message);
   ASSERT_TRUE(error);
-  EXPECT_EQ(error->what, "memory exhausted");
+  EXPECT_EQ(error->what, "nested too deeply");
 }
 
 // Damaged messages must neither crash nor hang; the sanitizers watch.

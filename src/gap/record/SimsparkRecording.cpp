@@ -66,7 +66,7 @@ public:
         throw std::runtime_error("the server on port " + std::to_string(options_.port) +
                                  " ended the connection: " + connection_.error());
     }
-    if (const auto error = simspark::parseServerMessage(text, message_))
+    if (const auto error = parser_.parse(text, message_))
       throw std::runtime_error("the server sent a message that cannot be read, at byte " +
                                std::to_string(error->position) + ": " + error->what);
     for (std::size_t j = 0; j < ids_.size(); ++j)
@@ -108,6 +108,7 @@ private:
   std::vector<JointId> ids_;
   std::vector<double> angles_, speeds_;  ///< per joint: as last heard, as last commanded
   simspark::Connection connection_;
+  simspark::ServerMessageParser parser_;
   simspark::ServerMessage message_;
 };
 

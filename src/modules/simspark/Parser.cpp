@@ -8,7 +8,6 @@
 #include "modules/simspark/PolarPointOf.h"
 #include "simspark/LeagueRobots.h"
 #include "simspark/PerceptLimits.h"
-#include "simspark/ServerMessageParser.h"
 
 namespace plumbline {
 
@@ -47,7 +46,7 @@ void Parser::execute() {
     restarted_ = connections_ > 0 && theSimSparkInfo->connections != connections_;
     connections_ = theSimSparkInfo->connections;
   }
-  auto error = simspark::parseServerMessage(theServerMessageText->text, next_);
+  auto error = parser_.parse(theServerMessageText->text, next_);
   if (!error && next_.time == 0 && next_.gameState.playMode.empty())
     error = simspark::ParseError{0, "neither time nor play mode in it"};
   if (!error && !(std::abs(next_.time) <= simspark::maxServerTime))

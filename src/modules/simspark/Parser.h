@@ -12,6 +12,7 @@
 #include "representations/perception/HearPercept.h"
 #include "representations/perception/PolarPercepts.h"
 #include "simspark/ServerMessage.h"
+#include "simspark/ServerMessageParser.h"
 
 namespace plumbline {
 
@@ -53,6 +54,7 @@ public:
   void update(GroundTruth* theGroundTruth) override;
 
 private:
+  simspark::ServerMessageParser parser_;
   simspark::ServerMessage message_;  ///< the last one that could be read
   simspark::ServerMessage next_;
   bool started_ = false;
