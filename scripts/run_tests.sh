@@ -13,11 +13,12 @@ set -uo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 root=$PWD
-jobs=${JOBS:-$(nproc)}
+# One more than are built at once: many scripts wait for a clock or a browser most of their time.
+jobs=${TEST_JOBS:-$((${JOBS:-$(nproc)} + 1))}
 cpuSeconds=${TEST_CPU_SECONDS:-600} # of one program or script: what it computes, however busy the machine is
 timeout=${TEST_TIMEOUT:-3600} # seconds until one that waits for ever is stopped
-testsPerPart=100 longPerPart=20
-longAreas=(diagnosis fidelity) # seconds per test, five times as many under the sanitizers, which see the same code in shorter ones
+testsPerPart=100 longPerPart=40
+longAreas=(diagnosis fidelity gap training) # compute for long, under the sanitizers five times as long: there in make check alone
 # Scripts that sanitized programs play, too: those that start most programs, with wrong input and with several at once.
 sanitizedScripts=(e2e/bad_input.sh e2e/optserver.sh)
 sanitizedPrograms=(agent game gap optimizewalk optserver optworker simplemonitor simulator watchgame webmonitor)
@@ -207,7 +208,8 @@ if [[ ${1-} == --all ]]; then
   programAreas=("${longAreas[@]}")
   buildTests SimRelease all "${longAreas[@]/#/test-}" && runTarget SimRelease "${areas[@]}"
   programAreas=() goals=() short=()
-  # make check has the time to see the long ones there, too, but as short as in make test.
+  # make check has the time to see the long ones there, too, but as short as in make test. Readers of what comes from outside
+  # are under the sanitizers in make test as well, by tests/fuzz and the scripts above.
   slow=${PLUMBLINE_SLOW-}
   unset PLUMBLINE_SLOW
   [[ $slow ]] && cpuSeconds=${TEST_CPU_SECONDS:-3600}
