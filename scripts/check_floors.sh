@@ -9,7 +9,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 noArguments "$@"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 
-files=$(find src -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.c' -o -name '*.y' -o -name '*.l' \) | LC_ALL=C sort)
+files=$(find src -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.c' \) | LC_ALL=C sort)
 folders=$(find src -type d | LC_ALL=C sort)
 status=0
 

@@ -12,7 +12,7 @@ for place in README.md CHANGELOG.md doc src utils tests scripts cmake config bin
   [[ -e $place ]] && places+=("$place")
 done
 find "${places[@]}" \( -path doc/results -o -path tests/data \) -prune -o -type f \( -name '*.md' -o -name '*.h' -o -name '*.cpp' -o -name '*.c' \
-  -o -name '*.l' -o -name '*.y' -o -name '*.sh' -o -name '*.bash' -o -name '*.awk' -o -name '*.yaml' -o -name '*.cfg' \) -print0 | LC_ALL=C sort -z | LC_ALL=C xargs -0 -r awk '
+  -o -name '*.sh' -o -name '*.bash' -o -name '*.awk' -o -name '*.yaml' -o -name '*.cfg' \) -print0 | LC_ALL=C sort -z | LC_ALL=C xargs -0 -r awk '
   # A sentence goes on from line to line until its full stop or until end().
   function end() {
     if (words > 35) { print file ":" first ": " words " words in a sentence, more than 35: split it"; bad = 1 }

@@ -9,7 +9,7 @@ cd "$(dirname "${BASH_SOURCE[0]}")/.."
 status=0
 folders=()
 for folder in src tests scripts utils cmake; do [[ -d $folder ]] && folders+=("$folder"); done
-find "${folders[@]}" configure.sh Makefile -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.c' -o -name '*.y' -o -name '*.l' \
+find "${folders[@]}" configure.sh Makefile -type f \( -name '*.h' -o -name '*.cpp' -o -name '*.c' \
   -o -name '*.sh' -o -name '*.py' -o -name '*.mk' -o -name Makefile -o -name CMakeLists.txt -o -name "*.cmake" \) -exec wc -l {} + | LC_ALL=C sort -k2 | awk '
   $2 == "total" { next }
   $1 > 600 { print $2 ": " $1 " lines, more than 600: split it"; bad = 1; next }

@@ -6,7 +6,7 @@ set -euo pipefail
 source "$(dirname "${BASH_SOURCE[0]}")/help.bash"
 cd "$(dirname "${BASH_SOURCE[0]}")/.."
 command -v clang-tidy > /dev/null || scripts/install_packages.sh scripts/packages-developer.txt
-make SimRelease # the commands that compile it
+make SimRelease # configures it, if that is due
 scripts/compile_commands.sh SimRelease
 
 # True when the record of a source, which lists what it is made from, is newer than all of that.

@@ -23,7 +23,7 @@ public:
   std::optional<ParseError> parse(std::string_view text, ServerMessage& message);
 
 private:
-  SExpressions tree_{{.depth = 64, .nodes = 1 << 16}};  ///< keeps its memory; 22 players take 2,000 nodes
+  SExpressions tree_{{.nodes = 1 << 16}};  ///< keeps its memory; with 22 players it has some 2,000 nodes
 };
 
 /// The same for one message.

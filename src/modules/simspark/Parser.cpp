@@ -19,16 +19,6 @@ constexpr double nominalCycle = 0.02;   ///< of SimSpark [s]
 constexpr double longestCycle = 0.5;    ///< a later message is of a new start [s]
 constexpr double shortestCycle = 1e-3;  ///< what comes sooner says nothing of the cycle's length [s]
 
-FootForceData forceOf(const std::optional<simspark::ForceReading>& reading) {
-  FootForceData data;
-  data.contact = reading.has_value();
-  if (reading) {
-    data.point = reading->point;
-    data.force = reading->force;
-  }
-  return data;
-}
-
 }  // namespace
 
 void Parser::init() {
@@ -111,10 +101,10 @@ void Parser::update(SensorData* theSensorData) {
   if (!readable_) return;
   theSensorData->gyro = message_.gyro;
   theSensorData->acc = message_.acc;
-  theSensorData->leftFoot = forceOf(message_.leftFoot);
-  theSensorData->rightFoot = forceOf(message_.rightFoot);
-  theSensorData->leftToe = forceOf(message_.leftToe);
-  theSensorData->rightToe = forceOf(message_.rightToe);
+  theSensorData->leftFoot = FootForceData(message_.leftFoot);
+  theSensorData->rightFoot = FootForceData(message_.rightFoot);
+  theSensorData->leftToe = FootForceData(message_.leftToe);
+  theSensorData->rightToe = FootForceData(message_.rightToe);
 }
 
 void Parser::update(VisionInfo* theVisionInfo) { theVisionInfo->newImage = readable_ && message_.see; }

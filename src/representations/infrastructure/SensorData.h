@@ -1,4 +1,6 @@
 #pragma once
+#include <optional>
+
 #include "framework/Representation.h"
 #include "math/Gravity.h"
 #include "math/Types.h"
@@ -10,6 +12,15 @@ struct FootForceData : public Streamable {
   bool contact = false;
   Vec3 point = Vec3::Zero();  ///< force-weighted point of contact [m]
   Vec3 force = Vec3::Zero();  ///< [N]
+
+  FootForceData() = default;
+  /// Of a reading with point and force; none: no contact.
+  template <class Reading>
+  explicit FootForceData(const std::optional<Reading>& reading) : contact(reading.has_value()) {
+    if (!reading) return;
+    point = reading->point;
+    force = reading->force;
+  }
   void stream(InStream* in, OutStream* out) override {
     STREAM(contact);
     STREAM(point);

@@ -1,7 +1,6 @@
 #pragma once
 #include "framework/Module.h"
 #include "representations/infrastructure/GameState.h"
-#include "representations/infrastructure/SensorData.h"
 #include "representations/perception/HearPercept.h"
 #include "representations/perception/PolarPercepts.h"
 
@@ -28,17 +27,5 @@ public:
   void update(PolarPlayerPercept*) override {}
   void update(HearPercept*) override {}
 };
-
-/// What a foot feels; nothing where there is no contact.
-template <class Contact>
-FootForceData footForce(const std::optional<Contact>& felt) {
-  FootForceData data;
-  data.contact = felt.has_value();
-  if (felt) {
-    data.point = felt->point;
-    data.force = felt->force;
-  }
-  return data;
-}
 
 }  // namespace plumbline

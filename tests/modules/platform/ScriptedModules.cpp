@@ -1,6 +1,5 @@
 #include "ScriptedModules.h"
 
-#include "BlindSensors.h"
 #include "ScriptedPlatform.h"
 
 namespace plumbline {
@@ -22,8 +21,8 @@ void ScriptedSensors::update(SensorData* theSensorData) {
   const simulation::RobotReadings& readings = object<test::ScriptedWorld>().robot.sense();
   theSensorData->gyro = readings.gyro;
   theSensorData->acc = readings.acc;
-  theSensorData->leftFoot = footForce(readings.leftFoot);
-  theSensorData->rightFoot = footForce(readings.rightFoot);
+  theSensorData->leftFoot = FootForceData(readings.leftFoot);
+  theSensorData->rightFoot = FootForceData(readings.rightFoot);
 }
 
 void ScriptedWish::update(MotionRequest* theMotionRequest) {

@@ -1,6 +1,5 @@
 #include "ServoModules.h"
 
-#include "BlindSensors.h"
 #include "ServoPlatform.h"
 #include "walking/estimation/SoleContact.h"
 
@@ -35,7 +34,7 @@ void ServoSensors::update(SensorData* theSensorData) {
   theSensorData->shear = false;
   const auto [left, right] = twoFeet(world.mechanism, world.humanoid);
   const auto felt = [&](std::size_t foot) {
-    return footForce(
+    return FootForceData(
         walking::soleContact(world.mechanism, world.mechanism.feet[foot], readings.footForce[foot]));
   };
   theSensorData->leftFoot = felt(left);
