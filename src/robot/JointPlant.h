@@ -1,4 +1,5 @@
 #pragma once
+#include <algorithm>
 #include <functional>
 #include <vector>
 
@@ -19,12 +20,15 @@ struct JointPlant {
   Servo servo;
   double maxTorque = 0, maxSpeed = 0;  ///< [N m, rad/s]
   double torqueFactor = 1;             ///< on maxTorque; a DC motor has a limit only where this is below 1
-  double supplyFactor = 1;             ///< on a DC motor's supply
-  bool linkEncoder = false;            ///< position measured behind the gear
-  double commandDelay = 0;             ///< [s]
-  double commandLag = 0;               ///< time constant of a first-order filter of commands [s]
-  double accelerationLimit = 0;        ///< of the servo's own profile [rad/s^2]; 0: none
-  double profileSpeed = 0;             ///< largest of that profile [rad/s]; 0: none
+  /// Of a servo that falls short by its duty: torque standing still at the most that it may have [N m]. Its
+  /// back EMF comes off that, and no other limit counts. 0: a position servo falls short by its torque.
+  double fullDutyTorque = 0;
+  double supplyFactor = 1;       ///< on a DC motor's supply
+  bool linkEncoder = false;      ///< position measured behind the gear
+  double commandDelay = 0;       ///< [s]
+  double commandLag = 0;         ///< time constant of a first-order filter of commands [s]
+  double accelerationLimit = 0;  ///< of the servo's own profile [rad/s^2]; 0: none
+  double profileSpeed = 0;       ///< largest of that profile [rad/s]; 0: none
   /// Share of the supply lost while all motors of the robot together give their largest torque (SupplyRail).
   double supplySag = 0;
   double deadBand = 0;              ///< [rad]
@@ -67,6 +71,11 @@ struct JointPlant {
     drive.viscous = joint.damping;
     drive.linkEncoder = joint.encoder == Mechanism::Joint::Encoder::link;
     return drive;
+  }
+  /// Largest duty of a DC motor.
+  double mostDuty() const {
+    if (fullDutyTorque <= 0) return servo.maxPwm;
+    return std::min(servo.maxPwm, fullDutyTorque * servo.R / (servo.kt * servo.vin));
   }
   /// It has dry friction of some kind.
   bool hasFriction() const {

@@ -63,6 +63,7 @@ void ServoDrive::begin(double h, const Side& motor, const Side& link) {
   follow(h);
   step_ = h;
   speedBefore_ = motor.speed;
+  linkSpeed_ = link.speed;
   regime_ = Regime::linear;
   error_ = profile_ - measured(motor, link);
   const Servo& servo = plant_.servo;
@@ -106,19 +107,42 @@ double ServoDrive::limit(double sign, double speed) const {
   return fullLimit() * fade;
 }
 
+/// Of a position servo: full duty where the error asks for more than it gives.
+bool ServoDrive::limitDutyAt(double speedAfter) {
+  if (regime_ != Regime::linear) return false;
+  const double most = stiffness_ * plant_.fullDutyTorque * supply_ * plant_.torqueFactor *
+                      std::max(0.0, 1 - plant_.deratingPerJoule * heat_);
+  const double damping = stiffness_ * plant_.servo.kd;
+  const double error = detailed_ || behindGear_ ? error_ : error_ - step_ * speedAfter;
+  const double asked = stiffness_ * plant_.servo.kp * error;
+  if (std::abs(asked) <= most) return false;
+  regime_ = Regime::fullDuty;
+  sense_ = asked < 0 ? -1 : 1;
+  law0_ = sense_ * most;
+  law1_ = 0;
+  if (behindGear_)
+    law0_ -= damping * linkSpeed_;
+  else if (detailed_)
+    law0_ -= damping / 2 * speedBefore_, law1_ = damping / 2;
+  else
+    law1_ = damping;
+  return true;
+}
+
 bool ServoDrive::limitAt(double speedAfter) {
   const Servo& servo = plant_.servo;
   const bool dc = servo.model == Servo::Model::dcMotor;
+  if (!dc && plant_.fullDutyTorque > 0) return limitDutyAt(speedAfter);
   const double torqueNow = torque(speedAfter);
   if (regime_ == Regime::linear && dc) {
     const double asked = detailed_ ? error_ : error_ - step_ * speedAfter;
     const double duty = servo.kpFirmware * servo.errorGain * asked;
-    if (std::abs(duty) > servo.maxPwm) {
+    if (std::abs(duty) > plant_.mostDuty()) {
       regime_ = Regime::fullDuty;
       sense_ = torqueNow < 0 ? -1 : 1;
       if (detailed_) sense_ = duty < 0 ? -1 : 1;
-      law0_ = sense_ * stiffness_ * servo.kt * (servo.vin * plant_.supplyFactor * supply_) * servo.maxPwm /
-              servo.R;
+      law0_ = sense_ * stiffness_ * servo.kt * (servo.vin * plant_.supplyFactor * supply_) *
+              plant_.mostDuty() / servo.R;
       law1_ = stiffness_ * (servo.kt * servo.kt / servo.R + plant_.extraDamping);
       return true;
     }

@@ -50,6 +50,7 @@ private:
   void follow(double h);
   double limit(double sign, double speed) const;
   double fullLimit() const;
+  bool limitDutyAt(double speedAfter);
   double topSpeed() const { return plant_.maxSpeed * supply_; }
 
   JointPlant plant_;
@@ -58,7 +59,7 @@ private:
   double behindLag_ = 0;  ///< what the filter of commands gives
   double profile_ = 0, profileSpeed_ = 0;
   double law0_ = 0, law1_ = 0, error_ = 0, sense_ = 1;  ///< of the step
-  double speedBefore_ = 0, step_ = 0, heat_ = 0;
+  double speedBefore_ = 0, linkSpeed_ = 0, step_ = 0, heat_ = 0;
   GearLoad load_;
   bool behindGear_ = false;  ///< the encoder and the motor are on two sides of a gear that gives way
   Regime regime_ = Regime::linear;

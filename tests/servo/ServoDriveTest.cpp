@@ -136,6 +136,22 @@ TEST(ServoDrive, aDcMotorsDutyEndsAndItsMotorBrakesOn) {
   EXPECT_NEAR(drive.torque(1), 0.3, 1e-12);
 }
 
+TEST(ServoDrive, aPositionServosDutyEndsAndItsMotorBrakesOn) {
+  JointPlant plant = servo();
+  plant.fullDutyTorque = 3;
+  for (const bool detailed : {false, true}) {
+    ServoDrive drive = begun(plant, 0.1, 0, 1, detailed);
+    EXPECT_FALSE(drive.limitAt(1)) << "an error that asks for less";
+    drive = begun(plant, 1, 0, 1, detailed);
+    EXPECT_TRUE(drive.limitAt(1));
+    EXPECT_DOUBLE_EQ(drive.torque(1), 3 - 0.4) << "more than its largest torque";
+    EXPECT_FALSE(drive.limitAt(1)) << "it has no other limit";
+    drive = begun(plant, -1, 0, 5, detailed);
+    EXPECT_TRUE(drive.limitAt(5));
+    EXPECT_DOUBLE_EQ(drive.torque(5), -3 - 2) << "braking, the back EMF helps";
+  }
+}
+
 TEST(ServoDrive, aProfileKeepsItsAccelerationAndArrives) {
   JointPlant plant = servo();
   plant.accelerationLimit = 10;

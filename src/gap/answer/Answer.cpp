@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <set>
 
 #include "gap/answer/Behavior.h"
 #include "gap/diagnosis/GapMap.h"
@@ -35,7 +36,14 @@ std::string sentenceOf(const Cause& cause) {
   return inactiveIn.empty() ? text : text + " It was " + inactiveIn + ".";
 }
 
-json findingJson(const Finding& finding) {
+/// Whether a cause is expected in a recording that was not seen: half of those seen had it.
+bool expectedElsewhere(const Cause& cause, const std::vector<RunNotes>& runs) {
+  std::set<std::string> folders;
+  for (const RunNotes& run : runs) folders.insert(run.folder);
+  return 2 * cause.inactiveIn.size() <= folders.size();
+}
+
+json findingJson(const Finding& finding, const std::vector<RunNotes>& runs) {
   json j = causeJson(finding.cause);
   j["interval"] = {number(finding.lower), number(finding.upper)};
   j["probability"] = number(finding.probability, 4);
@@ -44,7 +52,10 @@ json findingJson(const Finding& finding) {
   j["closed_last"] = number(finding.closedLast, 4);
   if (finding.evidence) j["evidence"] = number(*finding.evidence, 4);
   j["sentence"] = sentenceOf(finding.cause);
-  if (!finding.cause.inactiveIn.empty()) j["not_in"] = finding.cause.inactiveIn;
+  if (!finding.cause.inactiveIn.empty()) {
+    j["not_in"] = finding.cause.inactiveIn;
+    j["expected_elsewhere"] = expectedElsewhere(finding.cause, runs);
+  }
   j["confounded_with"] = json::array();
   for (const Rival& rival : finding.rivals) {
     json other = causeJson(rival.cause);
@@ -252,14 +263,15 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
     j["map"]["time"].push_back(track);
   }
   j["effects"] = json::array();
-  for (const Finding& finding : diagnosis.findings) j["effects"].push_back(findingJson(finding));
+  for (const Finding& finding : diagnosis.findings) j["effects"].push_back(findingJson(finding, input.runs));
   j["gap"] = {{"before", number(diagnosis.gap.before)},
               {"after", number(diagnosis.gap.after)},
               {"floor", number(diagnosis.gap.floor)},
               {"closed", number(std::min(1.0, diagnosis.gap.closed()), 4)},
               {"held_out", true},
               {"unit", "noise of each signal"}};
-  for (const Cause& cause : diagnosis.jointValues) j["gap"]["model"].push_back(causeJson(cause));
+  for (const Cause& cause : diagnosis.jointValues)
+    if (expectedElsewhere(cause, input.runs)) j["gap"]["model"].push_back(causeJson(cause));
   j["worst"] = {{"before", number(diagnosis.worstBefore, 4)},
                 {"after", number(diagnosis.worstAfter, 4)},
                 {"signal", diagnosis.worstSignal},

@@ -15,9 +15,12 @@ namespace {
 /// Key of a set, independent of values and order.
 std::string nameOfSet(const Explanation& causes) {
   std::vector<std::string> names;
-  for (const Cause& cause : causes)
-    names.push_back(std::string(cause.effect->id) + "@" + cause.place.at + cause.place.axis + "/" +
-                    std::to_string(cause.variant) + (cause.effect->strengthOf(cause.value) < 0 ? "-" : "+"));
+  for (const Cause& cause : causes) {
+    std::string& name = names.emplace_back(std::string(cause.effect->id) + "@" + cause.place.at +
+                                           cause.place.axis + "/" + std::to_string(cause.variant) +
+                                           (cause.effect->strengthOf(cause.value) < 0 ? "-" : "+"));
+    for (const std::string& recording : cause.inactiveIn) name += "!" + recording;
+  }
   std::ranges::sort(names);
   std::string all;
   for (const std::string& name : names) all += name + " ";

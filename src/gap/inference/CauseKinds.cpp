@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "gap/inference/PossibleKinds.h"
+#include "gap/inference/SettingMask.h"
 #include "gap/inference/Strengths.h"
 
 namespace plumbline::gap {
@@ -38,6 +39,17 @@ double middleStart(const Effect& effect, double scale) {
   return strengths[strengths.size() / 2];
 }
 
+CauseKind kindOf(const Mechanism& robot, const Cause& cause, double unit) {
+  CauseKind kind{cause, unit, 0, 0, jointsOf(robot, cause.place)};
+  const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
+  const double one = cause.effect->strengthOf(bounds.lower) / kind.unit,
+               other = cause.effect->strengthOf(bounds.upper) / kind.unit;
+  kind.lower = std::clamp(std::min(one, other), -mostUnits, 0.0);
+  kind.upper = std::clamp(std::max(one, other), 0.0, mostUnits);
+  kind.cause = causeAt(robot, kind, 1);
+  return kind;
+}
+
 bool overlap(const CauseKind& a, const CauseKind& b) {
   if (a.joints.empty() || b.joints.empty()) return true;
   return std::ranges::any_of(a.joints,
@@ -48,18 +60,16 @@ bool overlap(const CauseKind& a, const CauseKind& b) {
 
 std::vector<CauseKind> causeKinds(const Groups& groups, const Mechanism& robot) {
   std::vector<CauseKind> kinds;
-  for (const Cause& cause : possibleKinds(groups, robot)) {
-    CauseKind kind{cause, middleStart(*cause.effect, cause.effect->scaleAt(robot, cause.place)), 0, 0,
-                   jointsOf(robot, cause.place)};
-    const Bounds bounds = cause.effect->boundsAt(robot, cause.place);
-    const double one = cause.effect->strengthOf(bounds.lower) / kind.unit,
-                 other = cause.effect->strengthOf(bounds.upper) / kind.unit;
-    kind.lower = std::clamp(std::min(one, other), -mostUnits, 0.0);
-    kind.upper = std::clamp(std::max(one, other), 0.0, mostUnits);
-    kind.cause = causeAt(robot, kind, 1);
-    kinds.push_back(std::move(kind));
-  }
+  for (const Cause& cause : possibleKinds(groups, robot))
+    kinds.push_back(
+        kindOf(robot, cause, middleStart(*cause.effect, cause.effect->scaleAt(robot, cause.place))));
   return kinds;
+}
+
+CauseKind configuredKind(const Groups& groups, const Mechanism& robot, const Cause& setting) {
+  CauseKind kind = kindOf(robot, setting, setting.effect->strengthOf(setting.value));
+  kind.price = priceOfMasks({setting}, recordingsOf(groups));
+  return kind;
 }
 
 std::vector<CauseKind> windowKinds(const Groups& groups, const Mechanism& robot) {

@@ -14,10 +14,14 @@ struct CauseKind {
   double lower = 0, upper = 0;  ///< bounds of a value, in units
   /// Joints whose channels show its sensitivity; empty: all.
   std::vector<int> joints;
+  /// Minus the log prior of what it has in addition to others: of the recordings it is inactive in.
+  double price = 0;
 };
 
 /// All that are possible; those of the body's sensors have the joint -1.
 std::vector<CauseKind> causeKinds(const Groups& groups, const Mechanism& robot);
+/// A setting with its strength as the unit, inactive where it is (Cause::inactiveIn).
+CauseKind configuredKind(const Groups& groups, const Mechanism& robot, const Cause& setting);
 /// Those that windows can show: all but for what sensors of the body do.
 std::vector<CauseKind> windowKinds(const Groups& groups, const Mechanism& robot);
 /// Whether those are few: then they are looked at in windows and fitted set by set; else quick replays have

@@ -5,6 +5,7 @@
 #include <string>
 
 #include "gap/inference/Posterior.h"
+#include "gap/inference/SettingMask.h"
 
 namespace plumbline::gap {
 
@@ -63,13 +64,19 @@ std::vector<RecordingLeft> perRecording(const Groups& groups, const std::vector<
 }  // namespace
 
 std::vector<RecordingLeft> leftWithout(const Groups& groups, const std::vector<FoundWithout>& found) {
+  // Of a recording that was left out it is not known which settings it was made with.
+  const auto expected = [&](std::size_t group) {
+    return groups.stretchesOfOne()
+               ? found[group].causes
+               : expectedElsewhere(found[group].causes, recordingsOf(groups.without(group)));
+  };
   std::vector<RecordingLeft> perTrial;
   for (std::size_t t = 0; t < groups.trials().size(); ++t) {
     const Trial& trial = groups.trials()[t];
     std::vector<From> causes;
     for (std::size_t k = 0; k < trial.cycles(); ++k) {
       const std::size_t group = groups.groupOf(t, k);
-      if (k == 0 || group != groups.groupOf(t, k - 1)) causes.push_back({k, found[group].causes});
+      if (k == 0 || group != groups.groupOf(t, k - 1)) causes.push_back({k, expected(group)});
     }
     perTrial.push_back(leftIn(trial, causes));
   }

@@ -157,6 +157,7 @@ SetScore LinearResiduals::score(const std::vector<std::size_t>& kinds) const {
   SetScore scored;
   scored.set = {kinds, fit(kinds)};
   scored.price = priceOf(kinds.size(), kinds_.size());
+  for (const std::size_t kind : kinds) scored.price += kinds_[kind].price;
   const Equations of = equations(kinds, scored.set.x);
   scored.without.assign(groups_, scored.set.x);
   for (std::size_t g = 0; g < groups_ && !kinds.empty(); ++g) {

@@ -19,12 +19,16 @@ constexpr std::size_t proposalsPerMove = 10;
 class LinearSearch {
 public:
   LinearSearch(CoefficientReplayer& replayer, const LinearSearchOptions& options)
-      : options_(options), replayer_(replayer), fitter_(replayer) {}
+      : options_(options), replayer_(replayer), fitter_(replayer, options.configured) {}
 
   std::vector<SetProposal> run() {
-    lookFrom({});
+    const StrengthSet start = fitter_.setOf(options_.start);
+    if (options_.rounds > 0)
+      lookFrom(start);
+    else
+      lookOnlyAt(start);
     std::set<std::vector<std::size_t>> seen;
-    std::vector<std::size_t> kinds;
+    std::vector<std::size_t> kinds = start.kinds;
     for (int round = 0; round < options_.rounds; ++round) {
       report(0.8 * round / options_.rounds);
       const StrengthSet set = fitter_.refine(climb(kinds), stepsOfRound);
@@ -49,6 +53,13 @@ private:
     scored_.clear();
   }
 
+  /// The same for parts of the set alone, which it collects.
+  void lookOnlyAt(const StrengthSet& set) {
+    sharesUpdated_ = replayer_.updateColumnShares(fitter_.causesOf(set));
+    linear_.emplace(fitter_.linearise(set, set.kinds));
+    collect(set.kinds);
+  }
+
   const SetScore& score(const std::vector<std::size_t>& kinds) {
     const auto known = scored_.find(kinds);
     return known != scored_.end() ? known->second
@@ -62,6 +73,11 @@ private:
       if (other == kind || fitter_.exclude(other, kind)) return std::nullopt;
     kinds.insert(std::ranges::lower_bound(kinds, kind), kind);
     return kinds;
+  }
+
+  /// Whether no move takes a kind out: the last ones are those that were configured.
+  bool stays(std::size_t kind) const {
+    return options_.keepsConfigured && kind + options_.configured.size() >= fitter_.kinds().size();
   }
 
   static std::vector<std::size_t> lessOne(std::vector<std::size_t> kinds, std::size_t kind) {
@@ -81,6 +97,7 @@ private:
     };
     lookAtOneMore(kinds);
     for (const std::size_t kind : kinds) {
+      if (stays(kind)) continue;
       look(lessOne(kinds, kind));
       lookAtOneMore(lessOne(kinds, kind));
     }
@@ -103,16 +120,17 @@ private:
       const SetScore& scored = score(kinds);
       const auto [known, fresh] = bestBySize_.try_emplace(kinds.size(), scored);
       if (!fresh && (sharesUpdated_ || scored.score() > known->second.score())) known->second = scored;
-      if (kinds.empty()) return;
+      if (std::ranges::all_of(kinds, [this](std::size_t kind) { return stays(kind); })) return;
       kinds = bestLessOne(kinds);
     }
   }
 
   std::vector<std::size_t> bestLessOne(const std::vector<std::size_t>& kinds) {
-    std::vector<std::size_t> best = lessOne(kinds, kinds.front());
+    std::optional<std::vector<std::size_t>> best;
     for (const std::size_t kind : kinds)
-      if (score(lessOne(kinds, kind)).score() > score(best).score()) best = lessOne(kinds, kind);
-    return best;
+      if (!stays(kind) && (!best || score(lessOne(kinds, kind)).score() > score(*best).score()))
+        best = lessOne(kinds, kind);
+    return *best;
   }
 
   /// The best set that was collected, for each number of causes.

@@ -317,10 +317,15 @@ PerJoint perJoint(const Mechanism& robot, const Explanation& base, std::span<con
                   {Site::joint, joint, robot.joints[static_cast<std::size_t>(joint)].name},
                   effect->nominal,
                   0};
+      // A setting that is missing in a recording of one joint is so in those of the others: they lose them
+      // together, with the power.
+      for (const Cause& known : base)
+        if (known.effect == effect) cause.inactiveIn = known.inactiveIn;
       for (const Cause& known : base) {
         if (known.effect != effect || !covers(robot, known.place, joint)) continue;
         cause.value = known.value;
         cause.variant = known.variant;
+        cause.inactiveIn = known.inactiveIn;
         if (known.place.site == Site::joint) break;
       }
       result.causes.push_back(cause);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "gap/inference/SettingMask.h"
 #include "gap/inference/Strengths.h"
 
 namespace plumbline::gap {
@@ -49,7 +50,7 @@ Scored score(const Replayer& replayer, const Shares& shares, const Explanation& 
   const Groups& groups = replayer.groups();
   Scored scored;
   scored.fitted = fit(replayer, shares, start, mostSteps);
-  scored.price = priceOf(start.size(), kinds);
+  scored.price = priceOf(start.size(), kinds) + priceOfMasks(start, recordingsOf(groups));
   for (std::size_t g = 0; g < groups.count(); ++g) {
     std::vector<char> others(groups.count(), 1);
     others[g] = 0;

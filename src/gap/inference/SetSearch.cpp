@@ -1,10 +1,15 @@
 #include "gap/inference/SetSearch.h"
 
 #include <algorithm>
+#include <iterator>
+#include <optional>
 
 #include "gap/inference/FreeCoefficients.h"
 #include "gap/inference/LinearSearch.h"
 #include "gap/inference/PossibleKinds.h"
+#include "gap/inference/SettingMask.h"
+#include "gap/inference/SettingSearch.h"
+#include "gap/inference/Unexplained.h"
 #include "gap/inference/Visible.h"
 
 namespace plumbline::gap {
@@ -13,6 +18,9 @@ namespace {
 
 constexpr std::size_t mostJudged = 13;                      // sets that are kept
 constexpr int rounds = 6, quickRounds = 4;                  // of new derivatives
+constexpr std::size_t mostSettings = 4;                     // that are tried in a round
+constexpr int settingLook = 2;                              // rounds of derivatives that each of these gets
+constexpr double settingHeld = 1.08;                        // how far its strength moves meanwhile
 constexpr std::size_t fittedSets = 5, quickFittedSets = 3;  // sets that are fitted to their end
 
 bool sameKinds(const Explanation& a, const Explanation& b) {
@@ -59,13 +67,25 @@ BeamResult chosen(const std::vector<SetProposal>& answers, const std::vector<Sco
   return result;
 }
 
+/// A set with a setting, in the place of the same effect there.
+Explanation withSetting(Explanation causes, const Cause& setting) {
+  const auto replaced = [&](const Cause& cause) {
+    return cause.effect == setting.effect &&
+           (cause.place == setting.place || setting.place.site == Site::everywhere);
+  };
+  std::erase_if(causes, replaced);
+  causes.push_back(setting);
+  return causes;
+}
+
 /// Adds proposals, scored by free replays and the price of so many kinds.
 void addScored(const Replayer& replayer, std::vector<SetProposal> proposals, std::size_t kinds,
                std::vector<SetProposal>& answers) {
   for (SetProposal& proposal : proposals) {
     const auto judge = [&](Scored& set) {
       set.gain = gainsOf(replayer, set.causes(), set.without);
-      set.price = priceOf(set.causes().size(), kinds);
+      set.price =
+          priceOf(set.causes().size(), kinds) + priceOfMasks(set.causes(), recordingsOf(replayer.groups()));
     };
     judge(proposal.set);
     for (Scored& rest : proposal.lessOne) judge(rest);
@@ -95,6 +115,27 @@ BeamResult searchInWindowsToo(const SearchTools& tools, const SetSearchOptions& 
   return chosen(answers, {found.sets.begin() + 1, found.sets.end()}, found.kinds);
 }
 
+/// Sets that derivatives propose, scored by free replays.
+std::vector<SetProposal> proposedByDerivatives(const SearchTools& tools, const SetSearchOptions& options,
+                                               std::size_t kinds, LinearSearchOptions search) {
+  const Replayer& replayer = tools.replayer;
+  FreeCoefficients coefficients(options.quick ? *tools.coarse : replayer);
+  search.mostCauses = options.mostCauses;
+  search.idleCauses = [&](const Explanation& causes) { return idleCauses(replayer, causes); };
+  std::vector<SetProposal> answers;
+  addScored(replayer, proposedSets(coefficients, search), kinds, answers);
+  return answers;
+}
+
+/// How long derivatives propose sets from nothing on.
+LinearSearchOptions wholeSearch(const SetSearchOptions& options, Progress progress) {
+  LinearSearchOptions search;
+  search.rounds = options.quick ? quickRounds : rounds;
+  search.mostSettled = options.quick ? quickFittedSets : fittedSets;
+  search.progress = std::move(progress);
+  return search;
+}
+
 /// Few causes are fitted set by set. If that ends at the limit of causes, derivatives propose larger sets.
 BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions& options) {
   const Replayer& replayer = tools.replayer;
@@ -107,22 +148,99 @@ BeamResult searchByDerivatives(const SearchTools& tools, const SetSearchOptions&
     const std::size_t size = few.sets.front().causes().size();
     if (size < mostSetBySet || size == options.mostCauses) return few;
   }
-  FreeCoefficients coefficients(options.quick ? *tools.coarse : replayer);
-  LinearSearchOptions search;
-  search.mostCauses = options.mostCauses;
-  search.rounds = options.quick ? quickRounds : rounds;
-  search.mostSettled = options.quick ? quickFittedSets : fittedSets;
-  search.idleCauses = [&](const Explanation& causes) { return idleCauses(replayer, causes); };
-  search.progress = partOf(options.progress, options.expectMany ? 0 : 0.3, 1);
   const Shares nominal = sharesOf(replayer.groups(), replayer.residuals({}));
   // The best small set stopped at the limit, so it is no rival of large sets.
   const std::size_t kinds = possibleKinds(replayer.groups(), replayer.mechanism()).size();
   std::vector<SetProposal> answers{{score(replayer, nominal, {}, kinds, 0), {}}};
-  addScored(replayer, proposedSets(coefficients, search), kinds, answers);
+  for (SetProposal& proposal :
+       proposedByDerivatives(tools, options, kinds,
+                             wholeSearch(options, partOf(options.progress, options.expectMany ? 0 : 0.3, 1))))
+    answers.push_back(std::move(proposal));
   const bool anyCause =
       std::ranges::any_of(answers, [](const SetProposal& of) { return !of.set.causes().empty(); });
   if (!anyCause && !few.sets.empty()) return few;
   return chosen(answers, few.sets, kinds);
+}
+
+/// Derivatives from a set on that has settings in it.
+LinearSearchOptions searchFrom(const Groups& groups, const Mechanism& robot, const Explanation& start,
+                               int rounds) {
+  LinearSearchOptions search;
+  search.rounds = rounds;
+  search.mostSettled = 1;
+  search.start = start;
+  for (const Cause& cause : start)
+    if (cause.effect->setting) search.configured.push_back(configuredKind(groups, robot, cause));
+  return search;
+}
+
+/// The best set that comes of a set with some settings. Which setting is the right one shows only with what
+/// else it needs: a search by derivatives keeps them, nearly as strong as they are. Then the recordings that
+/// lacked them show, too, and it is done once more.
+std::vector<SetProposal> grownFrom(const SearchTools& tools, Explanation start, std::size_t kinds,
+                                   const SetSearchOptions& options) {
+  std::vector<SetProposal> answers;
+  for (int look = 0; look < 2; ++look) {
+    LinearSearchOptions search =
+        searchFrom(tools.replayer.groups(), tools.replayer.mechanism(), start, settingLook);
+    search.keepsConfigured = true;
+    for (CauseKind& kind : search.configured) kind.lower = 1 / settingHeld, kind.upper = settingHeld;
+    std::vector<SetProposal> found = proposedByDerivatives(tools, quickly(options), kinds, std::move(search));
+    if (found.empty()) break;
+    const Explanation causes = found.front().set.causes();
+    answers.push_back(std::move(found.front()));
+    start = withLikeliestMasks(*tools.coarse, causes);
+    if (start == causes) break;
+  }
+  return answers;
+}
+
+/// A set fitted anew, and the best of its parts.
+std::vector<SetProposal> refitted(const SearchTools& tools, const Explanation& causes, std::size_t kinds,
+                                  const SetSearchOptions& options) {
+  LinearSearchOptions parts = searchFrom(tools.replayer.groups(), tools.replayer.mechanism(), causes, 0);
+  parts.mostSettled = 2;
+  return proposedByDerivatives(tools, options, kinds, std::move(parts));
+}
+
+/// Sets with a setting more, to begin with; with those that are given, all at once.
+std::vector<Explanation> withMoreSettings(const SearchTools& tools, const Explanation& causes,
+                                          const Explanation& given) {
+  std::vector<Explanation> starts;
+  if (!given.empty()) {
+    starts.push_back(causes);
+    for (const Cause& setting : given) starts.back() = withSetting(std::move(starts.back()), setting);
+    return starts;
+  }
+  for (const Cause& setting : proposedSettings(*tools.coarse, causes, mostSettings))
+    starts.push_back(withSetting(causes, setting));
+  return starts;
+}
+
+/// Tries settings that some recordings were made without. They stay where they make a better answer.
+BeamResult withSettings(const SearchTools& tools, BeamResult found, const SetSearchOptions& options) {
+  const Replayer& replayer = tools.replayer;
+  const Scored answer = found.sets.front();
+  if (recordingsOf(replayer.groups()).size() < 2 || worstOf(replayer, answer.causes()).share() <= 1)
+    return found;
+  std::vector<SetProposal> answers{{answer, found.lessOne}};
+  const auto add = [&](std::vector<SetProposal> proposals) {
+    std::ranges::move(proposals, std::back_inserter(answers));
+  };
+  const auto best = [&]() -> const Scored& {
+    return std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); })->set;
+  };
+  for (const Explanation& start : withMoreSettings(tools, answer.causes(), options.settings))
+    add(grownFrom(tools, start, found.kinds, options));
+  // Until now their strengths were held.
+  const Explanation masked = withLikeliestMasks(replayer, best().causes());
+  if (masked != answer.causes()) add(refitted(tools, masked, found.kinds, options));
+  return chosen(answers, {found.sets.begin() + 1, found.sets.end()}, found.kinds);
+}
+
+BeamResult searchKinds(const SearchTools& tools, const SetSearchOptions& options) {
+  if (tools.windows) return searchInWindowsToo(tools, options);
+  return tools.coarse ? searchByDerivatives(tools, options) : searchSets(tools.replayer, options);
 }
 
 }  // namespace
@@ -135,8 +253,10 @@ SetSearchOptions quickly(SetSearchOptions options) {
 }
 
 BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options) {
-  if (tools.windows) return searchInWindowsToo(tools, options);
-  return tools.coarse ? searchByDerivatives(tools, options) : searchSets(tools.replayer, options);
+  BeamResult found = searchKinds(tools, options);
+  // Of one motor, a setting that some recordings lack is what any misfit of those looks like.
+  if (!tools.coarse || (options.quick && options.settings.empty())) return found;
+  return withSettings(tools, std::move(found), options);
 }
 
 BeamResult withOthers(const Replayer& replayer, BeamResult found, const std::vector<Explanation>& others,

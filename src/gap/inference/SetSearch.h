@@ -23,6 +23,9 @@ inline constexpr std::size_t mostSetBySet = 3;
 struct SetSearchOptions : BeamOptions {
   bool quick = false;       ///< a search that is one of many
   bool expectMany = false;  ///< more causes than mostSetBySet: derivatives propose sets at once
+  /// Settings that are tried with these values and recordings; empty: in a search that is not quick, those
+  /// that proposedSettings() finds.
+  Explanation settings = {};
 };
 
 /// Of a search that is one of many: narrower.
@@ -31,7 +34,8 @@ SetSearchOptions quickly(SetSearchOptions options);
 /// Searches for the set of causes with the best score (doc/decisions/0013). Few kinds are searched in two
 /// ways, by fits to free replays (searchSets) and by what windows propose. Of many kinds, sets are proposed
 /// by derivatives of free replays. With neither tool free replays alone are fitted. One score judges all
-/// sets: what free replays gain in the groups left out.
+/// sets: what free replays gain in the groups left out. Where something remains unexplained, settings that
+/// were not in force in each recording are tried in addition (proposedSettings).
 BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options);
 
 /// What was found, with other sets judged by the same score: each is fitted from its values to all groups, of

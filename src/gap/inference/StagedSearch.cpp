@@ -127,6 +127,8 @@ void StagedSearch::find(const std::string& part, StoredParts& parts) {
 
 void StagedSearch::finish(StoredParts& parts) {
   SearchStage& first = *stages_.front();
+  for (const Cause& cause : first.best().causes())
+    if (!cause.inactiveIn.empty()) search_.settings.push_back(cause);
   search_.expectMany = coarse_ && first.best().causes().size() > mostSetBySet;
   search_.progress = [&](double share) { report("again without each recording in turn", share); };
   first.without = findWithoutEach(tools(), search_, [&](std::size_t g, std::size_t left, const auto& run) {

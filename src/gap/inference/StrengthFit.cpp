@@ -18,8 +18,25 @@ constexpr double leastStep = 0.01;        // of a sweep [units]
 
 }  // namespace
 
-StrengthFitter::StrengthFitter(const CoefficientReplayer& replayer)
-    : replayer_(replayer), kinds_(replayer.kinds()) {}
+StrengthFitter::StrengthFitter(const CoefficientReplayer& replayer, const std::vector<CauseKind>& configured)
+    : replayer_(replayer), kinds_(replayer.kinds()) {
+  kinds_.insert(kinds_.end(), configured.begin(), configured.end());
+}
+
+StrengthSet StrengthFitter::setOf(const Explanation& causes) const {
+  StrengthSet set;
+  for (const Cause& cause : causes)
+    // From the last on: those that were configured go before the replayer's own.
+    for (std::size_t kind = kinds_.size(); kind-- > 0;) {
+      const Cause& of = kinds_[kind].cause;
+      if (!of.sameForm(cause) || of.inactiveIn != cause.inactiveIn || set.holds(kind)) continue;
+      set = with(set, kind);
+      set.x[std::ranges::lower_bound(set.kinds, kind) - set.kinds.begin()] =
+          cause.effect->strengthOf(cause.value) / kinds_[kind].unit;
+      break;
+    }
+  return set;
+}
 
 std::vector<std::size_t> StrengthFitter::all() const {
   std::vector<std::size_t> every(kinds_.size());

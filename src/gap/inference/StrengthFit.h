@@ -8,10 +8,13 @@ namespace plumbline::gap {
 /// Sets of causes fitted to coefficients by replays.
 class StrengthFitter {
 public:
-  explicit StrengthFitter(const CoefficientReplayer& replayer);
+  /// configured: kinds in addition to those that the replayer has.
+  explicit StrengthFitter(const CoefficientReplayer& replayer, const std::vector<CauseKind>& configured = {});
 
   const std::vector<CauseKind>& kinds() const { return kinds_; }
   Explanation causesOf(const StrengthSet& set) const;
+  /// Causes of these kinds as a set; those of no kind are left out.
+  StrengthSet setOf(const Explanation& causes) const;
   /// Log density of what a set leaves in the cells, and of its strengths.
   double density(const StrengthSet& set) const;
   /// Derivatives at a set by the strengths of some kinds; a change of less than half of what a perfect model

@@ -52,11 +52,17 @@ ServoTerms::ServoTerms(const JointPlant& of, const Given& from) : given(from) {
     takesSent = limits = true;
     limit *= supplyShare;
     maxSpeed = of.maxSpeed * supplyShare;
+    if (of.fullDutyTorque > 0) {
+      gain = stiffness;
+      push = 1;
+      maxDuty = share * of.fullDutyTorque * of.torqueFactor * limitShare * supplyShare;
+      limits = false;
+    }
   } else {
     const double vin = (volts > 0 ? volts : servo.vin * supplyShare) * of.supplyFactor;
     gain = servo.kpFirmware * servo.errorGain;
     push = share * servo.kt / servo.R * vin;
-    maxDuty = servo.maxPwm;
+    maxDuty = of.mostDuty();
     stiffness = push * gain;
     damping = share * (servo.kt * servo.kt / servo.R + of.extraDamping);
     limits = of.torqueFactor < 1 || limitShare < 1;
@@ -87,7 +93,7 @@ double dutyOf(const JointPlant& plant, double command, double shown) {
     return std::numeric_limits<double>::quiet_NaN();
   const double error = command - shown;
   const double duty = servo.kpFirmware * servo.errorGain * (error - banded(plant, error).takenOff);
-  return std::clamp(duty, -servo.maxPwm, servo.maxPwm);
+  return std::clamp(duty, -plant.mostDuty(), plant.mostDuty());
 }
 
 }  // namespace plumbline::gap

@@ -32,7 +32,7 @@ struct ServoTerms {
   double stiffness = 0;               ///< outside the dead band [N m/rad]
   double damping = 0;                 ///< [N m s/rad]
   double gain = 0;                    ///< duty of a DC motor per error [1/rad]
-  double push = 0;                    ///< its torque at full duty [N m]
+  double push = 0;                    ///< its torque at full duty [N m]; of other servos, duty is in N m
   double maxDuty = 0;
   double backEmf = 0;      ///< that its supply has to overcome where it follows torques [N m s/rad]
   bool takesSent = false;  ///< speed and torque as well as the command

@@ -72,7 +72,13 @@ std::vector<simulation::EffectSetting> furtherSettingsOf(const json& answer, con
 
 std::vector<simulation::EffectSetting> replayedSettingsOf(const json& answer, const std::string& path) {
   const json model = modelAt(answer, "/gap/model");
-  return model.empty() ? settingsOf(answer, path) : modelSettings(model, path + ": gap.model");
+  if (!model.empty()) return modelSettings(model, path + ": gap.model");
+  std::vector<simulation::EffectSetting> settings = settingsOf(answer, path), expected;
+  for (std::size_t i = 0; i < settings.size(); ++i)
+    if (const json& effect = answer["effects"][i];
+        !effect.contains("expected_elsewhere") || effect["expected_elsewhere"] != false)
+      expected.push_back(std::move(settings[i]));
+  return expected;
 }
 
 AnswerCauses causesOf(const json& answer, const std::string& path, const Mechanism& robot) {

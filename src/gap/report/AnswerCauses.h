@@ -11,8 +11,9 @@ namespace plumbline::gap {
 /// The effects that an answer (as readAnswer checked it) found, as settings of a simulator.
 std::vector<simulation::EffectSetting> settingsOf(const nlohmann::json& answer, const std::string& path);
 
-/// What the answer replays to close the gap: its causes with their values in each joint (gap.model) if it has
-/// such, else its effects. Throws ConfigurationError where one lacks effect, place or value.
+/// What the answer replays to close the gap in other recordings: its causes with their values in each joint
+/// (gap.model) if it has such, else its effects; without settings that most recordings lacked. Throws
+/// ConfigurationError where one lacks effect, place or value.
 std::vector<simulation::EffectSetting> replayedSettingsOf(const nlohmann::json& answer,
                                                           const std::string& path);
 

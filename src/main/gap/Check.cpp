@@ -12,6 +12,7 @@
 #include "gap/replay/TrialOf.h"
 #include "gap/report/AnswerCauses.h"
 #include "gap/report/AnswerFile.h"
+#include "gap/report/SettingsInForce.h"
 #include "gap/run/RunCheck.h"
 #include "gap/run/RunFile.h"
 #include "main/gap/ChangesOption.h"
@@ -79,9 +80,13 @@ void check(const CheckOptions& options) {
   const Explanation causes = causesOf(options.further ? furtherSettingsOf(answer, options.answer)
                                                       : replayedSettingsOf(answer, options.answer),
                                       robot);
+  std::vector<SettingChoice> choices;
+  if (!options.further) choices = settingChoices(answer, options.answer, robot, causes);
   std::vector<RecordingLeft> left(trials.size());
+  std::vector<std::vector<SettingSeen>> settings(trials.size());
   parallel(trials.size(), threadsFor(options.jobs), [&](std::size_t i) {
     left[i] = leftIn(trials[i], {{0, causes}});
+    settings[i] = settingsSeen(trials[i], choices);
   });
   putFloors(trials, left);
   putNoise(trials, left);
@@ -89,6 +94,18 @@ void check(const CheckOptions& options) {
   const std::vector<std::string> beyond =
       settingsBeyond(settingsIn(answer.value("servo_settings", nlohmann::json())), trials);
   result["beyond"] = beyond;
+  if (!choices.empty()) result["settings"] = nlohmann::json::array();
+  std::vector<std::string> unexpected;
+  for (const auto& ofTrial : settings)
+    for (const SettingSeen& seen : ofTrial) {
+      result["settings"].push_back({{"folder", seen.folder},
+                                    {"effect", seen.effect},
+                                    {"expected", seen.expected},
+                                    {"with", seen.with},
+                                    {"without", seen.without},
+                                    {"nearer", seen.isNearerWith() ? "with" : "without"}});
+      if (seen.isUnexpected()) unexpected.push_back(seen.sentence());
+    }
   const std::string verdict = answer["verdict"];
   result["verdict"] = verdict;
   const Claimed claimed = claimedIn(answer, options.further);
@@ -114,6 +131,7 @@ void check(const CheckOptions& options) {
     std::printf(" (90 %%: %.0f to %.0f %%)", 100 * interval[0].get<double>(),
                 100 * interval[1].get<double>());
   std::printf(".\n");
+  for (const std::string& line : unexpected) std::printf("%s\n", line.c_str());
   for (const std::string& line : beyond) std::printf("%s: no claim is made about that.\n", line.c_str());
 }
 

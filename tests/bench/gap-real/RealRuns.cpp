@@ -8,6 +8,7 @@
 
 #include "gap/diagnosis/CauseSearch.h"
 #include "gap/inference/Inference.h"
+#include "gap/inference/SettingMask.h"
 #include "gap/replay/Segments.h"
 #include "gap/replay/TrialOf.h"
 #include "gap/run/RunCheck.h"
@@ -115,6 +116,13 @@ double repeatFloor(const Trial& a, const Trial& b) {
   return n > 0 ? std::sqrt(sum / n / 2) : 0;
 }
 
+/// What is expected in the tests: which settings they were made with is not known.
+Explanation elsewhere(const RealSplit& split, const std::string& folder, const Diagnosis& diagnosis) {
+  std::vector<std::string> recordings;
+  for (const std::string& run : split.fit) recordings.push_back(folder + "/" + run);
+  return expectedElsewhere(diagnosis.replayed(), recordings);
+}
+
 }  // namespace
 
 const char* nameOf(Method method) { return method == Method::sets ? "sets" : "blocks"; }
@@ -145,7 +153,7 @@ RealResult runSplit(const RealSplit& split, const std::string& robotName, const 
     return predictions;
   };
   const std::vector<Prediction> nominal = predictionsWith({}),
-                                corrected = predictionsWith(result.diagnosis.replayed());
+                                corrected = predictionsWith(elsewhere(split, folder, result.diagnosis));
   double before = 0, after = 0, floor = 0, n = 0;
   for (std::size_t t = 0; t < test.size(); ++t) {
     TestError error{split.test[t], rmsOf(test[t], nominal[t]), rmsOf(test[t], corrected[t]), 0, false};

@@ -42,6 +42,7 @@ Drive::Drive(const Mechanism& robot, int joint, const std::vector<RealityEffect>
     // Friction one way alone: half of it both ways, and half of it as a torque against that way.
     if (id == "asymmetric_friction") coulomb_ += std::abs(x) / 2, oneWay_ += x / 2;
     if (id == "profile_speed") profileFastest_ = x;
+    if (id == "duty_limit") fullDuty_ = x;
     if (id == "supply_sag") sag_ += x;
     if (id == "backlash") play_ += x;
     if (id == "joint_compliance") compliance_ += x;
@@ -141,6 +142,8 @@ double Drive::servoTorque(double t, double set, double q, double v) {
         std::clamp(gain * servo_.kpFirmware * servo_.errorGain * error, -servo_.maxPwm, servo_.maxPwm);
     torque = servo_.kt * (supply_ * servo_.vin * duty - servo_.kt * v) / servo_.R - extraDamping_ * v;
     if (limitMotor_ || derating_ > 0) torque = std::clamp(torque, -limit, limit);
+  } else if (fullDuty_ > 0) {
+    torque = std::clamp(gain * servo_.kp * error, -fullDuty_ * supply_, fullDuty_ * supply_) - servo_.kd * v;
   } else {
     torque = gain * servo_.kp * error - servo_.kd * v;
     const double most = fadedLimit(limit, supply_ * maxSpeed_, v, torque);

@@ -66,6 +66,7 @@ private:
   double loadAtRest_ = 0, loadSquaredAtRest_ = 0;  ///< of the load and of its square [1, 1/(N m)]
   double oneWay_ = 0;                              ///< against positive motion, whichever way it turns [N m]
   double profileFastest_ = 0;                      ///< of the servo's own goal [rad/s]; 0: no limit
+  double fullDuty_ = 0;                            ///< torque of full duty, standing still [N m]; 0: no limit
   double sag_ = 0, supply_ = 1;                    ///< at full load; share of the voltage that is left
   double play_ = 0, compliance_ = 0, gearStiffness_ = 0, gearDamping_ = 0, delay_ = 0, acceleration_ = 0,
          deadBand_ = 0;

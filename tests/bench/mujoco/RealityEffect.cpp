@@ -67,6 +67,7 @@ const std::vector<EffectKind>& effectKinds() {
       {"profile_speed", "joint", false, true, "rad/s"},
       {"payload", "link", false, true, "kg"},
       {"supply_sag", "everywhere", false, true, "1"},
+      {"duty_limit", "joint", false, true, "N m"},
       {"command_lag", "joint", false, true, "s"},  // first-order lag of the command
       // Outside the library:
       {"gear_ripple", "joint", false, false, "N m"},       // torque that repeats with the gear's teeth

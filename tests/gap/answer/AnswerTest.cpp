@@ -28,7 +28,9 @@ TEST(AnswerTest, theRecordingsThatRanWithoutACauseAreNamed) {
   EXPECT_EQ(effects[0]["sentence"],
             "The servo of elbow smooths its commands: it keeps an acceleration limit. It was not set "
             "in tuesday.");
+  EXPECT_EQ(effects[0]["expected_elsewhere"], false) << "the one recording that there is lacked it";
   EXPECT_FALSE(effects[1].contains("not_in"));
+  EXPECT_FALSE(effects[1].contains("expected_elsewhere"));
 }
 
 TEST(AnswerTest, theNextMotionNamesAJointOrNone) {

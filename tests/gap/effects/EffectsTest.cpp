@@ -21,7 +21,7 @@ TEST(EffectsTest, theContractsLibraryAndWhatElseTheFieldHas) {
       "ground_slope", "ground_compliance", "external_force",
       // What the contract does not list comes behind it.
       "asymmetric_friction", "load_stribeck_friction", "link_load_friction", "quadratic_load_friction",
-      "profile_speed", "supply_sag", "payload", "command_lag"};
+      "profile_speed", "supply_sag", "payload", "command_lag", "duty_limit"};
   std::vector<std::string_view> ids;
   for (const Effect* effect : effects()) ids.push_back(effect->id);
   EXPECT_EQ(ids, expected);

@@ -44,6 +44,27 @@ TEST(ServoAndLoadTest, profilesOfSpeedAndAccelerationMakeATrapezoid) {
   EXPECT_NEAR(p.values[0].back(), 2, 1e-3);
 }
 
+TEST(ServoAndLoadTest, aServoThatIsShortOfDutyLosesItsBackEmfAndHasNoOtherLimit) {
+  Mechanism robot = oneJoint();
+  robot.joints[0].maxTorque = 0.5;
+  const Trial trial = oneJointTrial(robot, 3, [](double t) { return t < 0.495 ? 0.0 : 50.0; });
+  const Prediction p = replay(plantWith(robot, "duty_limit", "joint", 0.8), trial);
+  // inertia dw/dt = 0.8 - kd w from the step on.
+  const double time = inertia / kd;
+  for (const double after : {0.1, 0.5, 2.0}) {
+    const auto k = static_cast<std::size_t>(std::lround(100 * (0.5 + after)));
+    EXPECT_NEAR(p.values[1][k], 0.8 / kd * (1 - std::exp(-after / time)), 0.02 * 0.8 / kd);
+  }
+}
+
+TEST(ServoAndLoadTest, belowFullDutyItIsTheSameServo) {
+  const Mechanism robot = oneJoint();
+  const Trial trial = oneJointTrial(robot, 2, [](double t) { return 0.05 * std::sin(6 * t); });
+  const auto with = replay(plantWith(robot, "duty_limit", "joint", 2), trial).values,
+             nominal = replay(nominalPlant(robot), trial).values;
+  for (std::size_t k = 0; k < trial.cycles(); ++k) ASSERT_NEAR(with[0][k], nominal[0][k], 1e-9);
+}
+
 TEST(ServoAndLoadTest, aSaggingSupplyHasTheTorqueThatItsOwnLoadLeaves) {
   Mechanism robot = oneJoint();
   robot.joints[0].maxTorque = 0.5;
