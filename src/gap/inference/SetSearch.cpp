@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t mostJudged = 13;                      // sets that are kept
 constexpr int rounds = 6, quickRounds = 4;                  // of new derivatives
 constexpr std::size_t mostSettings = 4;                     // that are tried in a round
+constexpr double toSettings = 0.5;                          // of a search's progress
 constexpr int settingLook = 2;                              // rounds of derivatives that each of these gets
 constexpr double settingHeld = 1.08;                        // how far its strength moves meanwhile
 constexpr std::size_t fittedSets = 5, quickFittedSets = 3;  // sets that are fitted to their end
@@ -230,8 +231,13 @@ BeamResult withSettings(const SearchTools& tools, BeamResult found, const SetSea
   const auto best = [&]() -> const Scored& {
     return std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); })->set;
   };
-  for (const Explanation& start : withMoreSettings(tools, answer.causes(), options.settings))
+  const std::vector<Explanation> starts = withMoreSettings(tools, answer.causes(), options.settings);
+  for (const Explanation& start : starts) {
     add(grownFrom(tools, start, found.kinds, options));
+    if (options.progress)
+      options.progress(toSettings + (1 - toSettings) * static_cast<double>(answers.size() - 1) /
+                                        static_cast<double>(2 * starts.size() + 1));
+  }
   // Until now their strengths were held.
   const Explanation masked = withLikeliestMasks(replayer, best().causes());
   if (masked != answer.causes()) add(refitted(tools, masked, found.kinds, options));
@@ -253,10 +259,11 @@ SetSearchOptions quickly(SetSearchOptions options) {
 }
 
 BeamResult searchForSets(const SearchTools& tools, const SetSearchOptions& options) {
-  BeamResult found = searchKinds(tools, options);
   // Of one motor, a setting that some recordings lack is what any misfit of those looks like.
-  if (!tools.coarse || (options.quick && options.settings.empty())) return found;
-  return withSettings(tools, std::move(found), options);
+  if (!tools.coarse || (options.quick && options.settings.empty())) return searchKinds(tools, options);
+  SetSearchOptions first = options;
+  first.progress = partOf(options.progress, 0, toSettings);
+  return withSettings(tools, searchKinds(tools, first), options);
 }
 
 BeamResult withOthers(const Replayer& replayer, BeamResult found, const std::vector<Explanation>& others,

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "../ThreeRecordings.h"
 
@@ -70,6 +71,19 @@ TEST(CauseKinds, causesOfTwoJointsShareAColourAndThoseOfOneDoNot) {
                                      {causeOf(arm, "viscous_friction", "shoulder", 0.1), 1, 0, 9, {0}}};
   const std::vector<std::vector<std::size_t>> expected{{0, 1}, {2, 4}, {3}};
   EXPECT_EQ(colours(kinds, {0, 1, 2, 3, 4}), expected);
+}
+
+TEST(CauseKinds, ofAConfiguredSettingTheUnitIsItsStrengthAndItsMaskHasAPrice) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(recordings({}, 1));
+  Cause limit = causeOf(arm, "acceleration_limit", "elbow", 20);
+  EXPECT_EQ(configuredKind(groups, arm, limit).price, 0);
+  limit.inactiveIn = {"run1"};
+  const CauseKind kind = configuredKind(groups, arm, limit);
+  EXPECT_NEAR(kind.price, std::log(4 * 3), 1e-12);
+  EXPECT_NEAR(causeAt(arm, kind, 1).value, 20, 1e-9);
+  EXPECT_EQ(causeAt(arm, kind, 0.5).inactiveIn, limit.inactiveIn);
+  EXPECT_EQ(kind.joints, std::vector<int>{1});
 }
 
 }  // namespace plumbline::gap

@@ -94,4 +94,20 @@ TEST(StrengthSets, aKindIsAddedInOrderAndTakenOut) {
   EXPECT_EQ(again.x, set.x);
 }
 
+TEST_F(StrengthFitTest, aSetOfCausesHasTheirKindsAndStrengthsThoseConfiguredFirst) {
+  record({});
+  Cause limit = causeOf(arm, "acceleration_limit", "elbow", 20);
+  const StrengthFitter configured(*replayer, {configuredKind(*groups, arm, limit)});
+  const Explanation causes{limit, causeOf(arm, "servo_gain", "shoulder", 0.7)};
+  const StrengthSet set = configured.setOf(causes);
+  ASSERT_EQ(set.kinds.size(), 2U);
+  EXPECT_EQ(set.kinds.back(), configured.kinds().size() - 1);
+  EXPECT_NEAR(set.x[1], 1, 1e-12);
+  for (const Cause& cause : configured.causesOf(set))
+    EXPECT_NEAR(cause.value, cause.effect == limit.effect ? 20 : 0.7, 1e-9);
+  EXPECT_TRUE(configured.exclude(set.kinds.back(), kind("acceleration_limit", "elbow")));
+  limit.inactiveIn = {"run1"};
+  EXPECT_TRUE(configured.setOf({limit}).kinds.empty()) << "no kind has that mask";
+}
+
 }  // namespace plumbline::gap
