@@ -12,7 +12,7 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double spacing = 1.15;      // of strengths that are replayed
-constexpr double clearlyWorse = 0.2;  // of a recording's squares
+constexpr double clear = 0.2;         // share of a recording's squares that is gained or lost
 constexpr double nearlyAsGood = 0.9;  // of a single joint's gain, from which on all joints share a setting
 
 /// Strengths over the range of the starts of a search.
@@ -119,7 +119,7 @@ private:
       if (whole > 0) rated.gain += (before.at(recording) - std::min(square, rest)) / whole;
       better += square < rest ? 1 : 0;
       const double loss = whole > 0 ? (square - rest) / whole : 0;
-      if (loss > clearlyWorse) rated.worse.emplace_back(loss, recording);
+      if (loss > clear) rated.worse.emplace_back(loss, recording);
     }
     return better > 0 ? rated : Rated{};
   }
@@ -137,7 +137,7 @@ std::vector<Cause> proposedSettings(const Replayer& replayer, const Explanation&
   std::vector<Rated> ratings;
   for (const Effect* effect : effects())
     if (effect->setting)
-      if (Rated rated = scan.best(*effect); rated.gain > 0) ratings.push_back(std::move(rated));
+      if (Rated rated = scan.best(*effect); rated.gain > clear) ratings.push_back(std::move(rated));
   std::ranges::stable_sort(ratings, std::ranges::greater(), &Rated::gain);
   std::vector<Cause> proposed;
   for (Rated& rated : ratings) {

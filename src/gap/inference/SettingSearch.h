@@ -12,8 +12,8 @@ namespace plumbline::gap {
 /// and so on. A limit can be right in a narrow range alone, so each is replayed at many strengths, in all
 /// joints at once.
 ///
-/// By squares and not by the score: while other values are wrong, a wrong limit can have as good a score as
-/// the right one (doc/decisions/0023).
+/// None that takes away less than a fifth of a recording's squares. By squares and not by the score: while
+/// other values are wrong, a wrong limit can have as good a score as the right one (doc/decisions/0023).
 std::vector<Cause> proposedSettings(const Replayer& replayer, const Explanation& base, std::size_t most);
 
 }  // namespace plumbline::gap
