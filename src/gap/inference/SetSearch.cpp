@@ -204,17 +204,24 @@ std::vector<SetProposal> refitted(const SearchTools& tools, const Explanation& c
   return proposedByDerivatives(tools, options, kinds, std::move(parts));
 }
 
-/// Sets with a setting more, to begin with; with those that are given, all at once.
-std::vector<Explanation> withMoreSettings(const SearchTools& tools, const Explanation& causes,
-                                          const Explanation& given) {
+/// Sets with a setting more, to begin with; with those that are given, all at once. A full set loses the
+/// cause that it needs least.
+std::vector<Explanation> withMoreSettings(const SearchTools& tools, const BeamResult& found,
+                                          const SetSearchOptions& options) {
+  const Explanation& causes = found.sets.front().causes();
+  const auto with = [&](const Explanation& settings) {
+    Explanation start = causes;
+    if (causes.size() + settings.size() > options.mostCauses && !found.lessOne.empty())
+      start = std::ranges::max_element(found.lessOne, {}, &Scored::score)->causes();
+    for (const Cause& setting : settings) start = withSetting(std::move(start), setting);
+    return start;
+  };
   std::vector<Explanation> starts;
-  if (!given.empty()) {
-    starts.push_back(causes);
-    for (const Cause& setting : given) starts.back() = withSetting(std::move(starts.back()), setting);
-    return starts;
-  }
-  for (const Cause& setting : proposedSettings(*tools.coarse, causes, mostSettings))
-    starts.push_back(withSetting(causes, setting));
+  if (!options.settings.empty()) starts.push_back(with(options.settings));
+  if (options.settings.empty())
+    for (const Cause& setting : proposedSettings(*tools.coarse, causes, mostSettings))
+      starts.push_back(with({setting}));
+  std::erase_if(starts, [&](const Explanation& start) { return start.size() > options.mostCauses; });
   return starts;
 }
 
@@ -231,7 +238,7 @@ BeamResult withSettings(const SearchTools& tools, BeamResult found, const SetSea
   const auto best = [&]() -> const Scored& {
     return std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); })->set;
   };
-  const std::vector<Explanation> starts = withMoreSettings(tools, answer.causes(), options.settings);
+  const std::vector<Explanation> starts = withMoreSettings(tools, found, options);
   for (const Explanation& start : starts) {
     add(grownFrom(tools, start, found.kinds, options));
     if (options.progress)

@@ -34,4 +34,15 @@ TEST(SettingSearch, aSearchNamesASettingThatOneRecordingLacked) {
   EXPECT_EQ(found.lessOne.size(), 1U);
 }
 
+TEST(SettingSearch, aSettingTakesThePlaceOfAnotherCauseWhereNoMoreAreAllowed) {
+  const Mechanism arm = twoJointArm();
+  const Groups groups(someRecordings({causeOfArm("acceleration_limit", "elbow", 17)}, "tuesday"));
+  const Replayer replayer(arm, groups, 1);
+  SetSearchOptions one;
+  one.mostCauses = 1;
+  const BeamResult found = searchForSets({replayer, nullptr, &replayer}, one);
+  ASSERT_EQ(found.sets.front().causes().size(), 1U);
+  EXPECT_EQ(found.sets.front().causes()[0].inactiveIn, Names{"tuesday"});
+}
+
 }  // namespace plumbline::gap
