@@ -92,9 +92,13 @@ void ServoDrive::begin(double h, const Side& motor, const Side& link) {
   }
 }
 
+/// Share of its limit that a weak motor has, and its heat leaves.
+double ServoDrive::limitShare() const {
+  return plant_.torqueFactor * std::max(0.0, 1 - plant_.deratingPerJoule * heat_);
+}
+
 double ServoDrive::fullLimit() const {
-  const double most = stiffness_ * plant_.maxTorque *
-                      (plant_.torqueFactor * std::max(0.0, 1 - plant_.deratingPerJoule * heat_));
+  const double most = stiffness_ * plant_.maxTorque * limitShare();
   // A DC motor's law has the supply in it.
   return plant_.servo.model == Servo::Model::dcMotor ? most : most * supply_;
 }
@@ -110,8 +114,7 @@ double ServoDrive::limit(double sign, double speed) const {
 /// Of a position servo: full duty where the error asks for more than it gives.
 bool ServoDrive::limitDutyAt(double speedAfter) {
   if (regime_ != Regime::linear) return false;
-  const double most = stiffness_ * plant_.fullDutyTorque * supply_ * plant_.torqueFactor *
-                      std::max(0.0, 1 - plant_.deratingPerJoule * heat_);
+  const double most = stiffness_ * plant_.fullDutyTorque * supply_ * limitShare();
   const double damping = stiffness_ * plant_.servo.kd;
   const double error = detailed_ || behindGear_ ? error_ : error_ - step_ * speedAfter;
   const double asked = stiffness_ * plant_.servo.kp * error;

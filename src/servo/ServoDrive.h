@@ -49,6 +49,7 @@ private:
   double filtered(double h);
   void follow(double h);
   double limit(double sign, double speed) const;
+  double limitShare() const;
   double fullLimit() const;
   bool limitDutyAt(double speedAfter);
   double topSpeed() const { return plant_.maxSpeed * supply_; }

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <set>
 
 #include "gap/answer/Behavior.h"
 #include "gap/diagnosis/GapMap.h"
@@ -36,14 +35,16 @@ std::string sentenceOf(const Cause& cause) {
   return inactiveIn.empty() ? text : text + " It was " + inactiveIn + ".";
 }
 
-/// Whether a cause is expected in a recording that was not seen: half of those seen had it.
-bool expectedElsewhere(const Cause& cause, const std::vector<RunNotes>& runs) {
-  std::set<std::string> folders;
-  for (const RunNotes& run : runs) folders.insert(run.folder);
-  return 2 * cause.inactiveIn.size() <= folders.size();
+/// The folders of what was diagnosed, each once.
+std::vector<std::string> recordingsOf(const std::vector<Trial>& trials) {
+  std::vector<std::string> recordings;
+  for (const Trial& trial : trials)
+    if (std::ranges::find(recordings, trial.recording) == recordings.end())
+      recordings.push_back(trial.recording);
+  return recordings;
 }
 
-json findingJson(const Finding& finding, const std::vector<RunNotes>& runs) {
+json findingJson(const Finding& finding, const std::vector<std::string>& recordings) {
   json j = causeJson(finding.cause);
   j["interval"] = {number(finding.lower), number(finding.upper)};
   j["probability"] = number(finding.probability, 4);
@@ -54,7 +55,7 @@ json findingJson(const Finding& finding, const std::vector<RunNotes>& runs) {
   j["sentence"] = sentenceOf(finding.cause);
   if (!finding.cause.inactiveIn.empty()) {
     j["not_in"] = finding.cause.inactiveIn;
-    j["expected_elsewhere"] = expectedElsewhere(finding.cause, runs);
+    j["expected_elsewhere"] = isExpectedElsewhere(finding.cause, recordings);
   }
   j["confounded_with"] = json::array();
   for (const Rival& rival : finding.rivals) {
@@ -262,8 +263,9 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
     }
     j["map"]["time"].push_back(track);
   }
+  const std::vector<std::string> recordings = recordingsOf(evaluator.evidence().trials());
   j["effects"] = json::array();
-  for (const Finding& finding : diagnosis.findings) j["effects"].push_back(findingJson(finding, input.runs));
+  for (const Finding& finding : diagnosis.findings) j["effects"].push_back(findingJson(finding, recordings));
   j["gap"] = {{"before", number(diagnosis.gap.before)},
               {"after", number(diagnosis.gap.after)},
               {"floor", number(diagnosis.gap.floor)},
@@ -271,7 +273,7 @@ std::string answerJson(const AnswerInput& input, const Diagnosis& diagnosis, Eva
               {"held_out", true},
               {"unit", "noise of each signal"}};
   for (const Cause& cause : diagnosis.jointValues)
-    if (expectedElsewhere(cause, input.runs)) j["gap"]["model"].push_back(causeJson(cause));
+    if (isExpectedElsewhere(cause, recordings)) j["gap"]["model"].push_back(causeJson(cause));
   j["worst"] = {{"before", number(diagnosis.worstBefore, 4)},
                 {"after", number(diagnosis.worstAfter, 4)},
                 {"signal", diagnosis.worstSignal},

@@ -79,4 +79,14 @@ bool inForce(const Cause& cause, const Trial& trial) {
   return std::ranges::find(cause.inactiveIn, trial.recording) == cause.inactiveIn.end();
 }
 
+std::size_t inactiveAmong(const Cause& cause, const std::vector<std::string>& recordings) {
+  return static_cast<std::size_t>(std::ranges::count_if(recordings, [&](const std::string& recording) {
+    return std::ranges::find(cause.inactiveIn, recording) != cause.inactiveIn.end();
+  }));
+}
+
+bool isExpectedElsewhere(const Cause& cause, const std::vector<std::string>& recordings) {
+  return 2 * inactiveAmong(cause, recordings) <= recordings.size();
+}
+
 }  // namespace plumbline::gap

@@ -54,5 +54,9 @@ Plant plantOf(const Mechanism& mechanism, const Explanation& causes);
 /// The robot as a trial drove it, with the causes that were active in its recording.
 Plant plantOf(const Trial& trial, const Explanation& causes);
 bool inForce(const Cause& cause, const Trial& trial);
+/// In how many of these recordings a cause was not active.
+std::size_t inactiveAmong(const Cause& cause, const std::vector<std::string>& recordings);
+/// Whether a cause is expected in a recording that was not seen: at least half of those seen had it.
+bool isExpectedElsewhere(const Cause& cause, const std::vector<std::string>& recordings);
 
 }  // namespace plumbline::gap

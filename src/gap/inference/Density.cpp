@@ -1,6 +1,7 @@
 #include "gap/inference/Density.h"
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <numeric>
 #include <tuple>
@@ -33,6 +34,17 @@ Shares sharesOf(const Groups& groups, const Residuals& residuals) {
       shares[c] = std::min(shares[c], at->second);
   }
   return shares;
+}
+
+bool isPosition(const Groups& groups, const Cell& cell) {
+  return groups.trials()[cell.trial].signals[cell.signal].kind == SignalKind::position;
+}
+
+double squaresOf(const std::vector<double>& values) {
+  double sum = 0;
+  for (const double r : values)
+    if (std::isfinite(r)) sum += r * r;
+  return sum;
 }
 
 double densityOf(const Cell& cell, const Residuals& residuals, double share) {

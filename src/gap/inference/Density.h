@@ -15,6 +15,11 @@ Shares sharesOf(const Groups& groups, const Residuals& residuals);
 /// A cell's residuals; empty where it was not predicted.
 std::vector<double> residualsOf(const Cell& cell, const Residuals& residuals);
 
+/// Whether a cell is of a position.
+bool isPosition(const Groups& groups, const Cell& cell);
+/// Sum of the squares of those that are finite.
+double squaresOf(const std::vector<double>& values);
+
 /// Logarithm of the density of a cell's residuals, its own discrepancy's scale being the likeliest one.
 double densityOf(const Cell& cell, const Residuals& residuals, double share);
 

@@ -23,16 +23,18 @@ public:
 
   std::vector<SetProposal> run() {
     const StrengthSet start = fitter_.setOf(options_.start);
-    if (options_.rounds > 0)
-      lookFrom(start);
-    else
-      lookOnlyAt(start);
+    if (options_.rounds > 0) {
+      lookFrom(start, fitter_.all());
+    } else {
+      lookFrom(start, start.kinds);
+      collect(start.kinds);
+    }
     std::set<std::vector<std::size_t>> seen;
     std::vector<std::size_t> kinds = start.kinds;
     for (int round = 0; round < options_.rounds; ++round) {
       report(0.8 * round / options_.rounds);
       const StrengthSet set = fitter_.refine(climb(kinds), stepsOfRound);
-      lookFrom(set);
+      lookFrom(set, fitter_.all());
       collect(set.kinds);
       if (!seen.insert(set.kinds).second) break;
       kinds = set.kinds;
@@ -46,18 +48,11 @@ private:
     if (options_.progress) options_.progress(share);
   }
 
-  /// Linearises again, about a set.
-  void lookFrom(const StrengthSet& set) {
+  /// Linearises again, about a set, by the strengths of these kinds.
+  void lookFrom(const StrengthSet& set, const std::vector<std::size_t>& kinds) {
     sharesUpdated_ = replayer_.updateColumnShares(fitter_.causesOf(set));
-    linear_.emplace(fitter_.linearise(set, fitter_.all()));
+    linear_.emplace(fitter_.linearise(set, kinds));
     scored_.clear();
-  }
-
-  /// The same for parts of the set alone, which it collects.
-  void lookOnlyAt(const StrengthSet& set) {
-    sharesUpdated_ = replayer_.updateColumnShares(fitter_.causesOf(set));
-    linear_.emplace(fitter_.linearise(set, set.kinds));
-    collect(set.kinds);
   }
 
   const SetScore& score(const std::vector<std::size_t>& kinds) {

@@ -18,23 +18,12 @@ constexpr double probe = 0.1;    // step of derivatives, in the least strength t
 constexpr double longest = 20;   // step of a value, in the same
 constexpr double damped = 1e-2;  // at first, of the diagonal
 
-bool ofPosition(const Replayer& replayer, const Cell& cell) {
-  return replayer.groups().trials()[cell.trial].signals[cell.signal].kind == SignalKind::position;
-}
-
-double squaresOf(const std::vector<double>& values) {
-  double sum = 0;
-  for (const double r : values)
-    if (std::isfinite(r)) sum += r * r;
-  return sum;
-}
-
 /// Per group: one over the squares that the nominal model leaves.
 std::vector<double> weightsOf(const Replayer& replayer) {
   std::vector<double> squares(replayer.groups().count(), 0.0);
   const Residuals nominal = replayer.residuals({});
   for (const Cell& cell : replayer.groups().cells())
-    if (ofPosition(replayer, cell)) squares[cell.group] += squaresOf(residualsOf(cell, nominal));
+    if (isPosition(replayer.groups(), cell)) squares[cell.group] += squaresOf(residualsOf(cell, nominal));
   for (double& s : squares) s = s > 0 ? 1 / (s * static_cast<double>(squares.size())) : 0;
   return squares;
 }
@@ -126,7 +115,7 @@ private:
   std::map<int, double> squaresPerMotor(const Residuals& of) const {
     std::map<int, double> sums;
     for (const Cell& cell : replayer_.groups().cells())
-      if (ofPosition(replayer_, cell))
+      if (isPosition(replayer_.groups(), cell))
         sums[motorOf(cell)] += weights_[cell.group] * squaresOf(residualsOf(cell, of));
     return sums;
   }
@@ -174,7 +163,8 @@ private:
     }
     for (const Cell& cell : replayer_.groups().cells()) {
       const auto motor = motors_.find(motorOf(cell));
-      if (!ofPosition(replayer_, cell) || motor == motors_.end() || !residuals_[cell.trial][cell.signal])
+      if (!isPosition(replayer_.groups(), cell) || motor == motors_.end() ||
+          !residuals_[cell.trial][cell.signal])
         continue;
       add(cell, motor->second, shifted, steps);
     }
@@ -350,7 +340,8 @@ double shareLeft(const Replayer& replayer, const Explanation& causes) {
   const Residuals residuals = replayer.residuals(causes);
   double sum = 0;
   for (const Cell& cell : replayer.groups().cells())
-    if (ofPosition(replayer, cell)) sum += weights[cell.group] * squaresOf(residualsOf(cell, residuals));
+    if (isPosition(replayer.groups(), cell))
+      sum += weights[cell.group] * squaresOf(residualsOf(cell, residuals));
   return sum;
 }
 

@@ -18,9 +18,9 @@ namespace {
 
 constexpr std::size_t mostJudged = 13;                      // sets that are kept
 constexpr int rounds = 6, quickRounds = 4;                  // of new derivatives
-constexpr std::size_t mostSettings = 4;                     // that are tried in a round
+constexpr std::size_t mostSettings = 4;                     // that are tried
 constexpr double toSettings = 0.5;                          // of a search's progress
-constexpr int settingLook = 2;                              // rounds of derivatives that each of these gets
+constexpr int settingRounds = 2;                            // rounds of derivatives that each of these gets
 constexpr double settingHeld = 1.08;                        // how far its strength moves meanwhile
 constexpr std::size_t fittedSets = 5, quickFittedSets = 3;  // sets that are fitted to their end
 
@@ -82,12 +82,12 @@ Explanation withSetting(Explanation causes, const Cause& setting) {
 /// Adds proposals, scored by free replays and the price of so many kinds.
 void addScored(const Replayer& replayer, std::vector<SetProposal> proposals, std::size_t kinds,
                std::vector<SetProposal>& answers) {
+  const std::vector<std::string> recordings = recordingsOf(replayer.groups());
+  const auto judge = [&](Scored& set) {
+    set.gain = gainsOf(replayer, set.causes(), set.without);
+    set.price = priceOf(set.causes().size(), kinds) + priceOfMasks(set.causes(), recordings);
+  };
   for (SetProposal& proposal : proposals) {
-    const auto judge = [&](Scored& set) {
-      set.gain = gainsOf(replayer, set.causes(), set.without);
-      set.price =
-          priceOf(set.causes().size(), kinds) + priceOfMasks(set.causes(), recordingsOf(replayer.groups()));
-    };
     judge(proposal.set);
     for (Scored& rest : proposal.lessOne) judge(rest);
     answers.push_back(std::move(proposal));
@@ -183,7 +183,7 @@ std::vector<SetProposal> grownFrom(const SearchTools& tools, Explanation start, 
   std::vector<SetProposal> answers;
   for (int look = 0; look < 2; ++look) {
     LinearSearchOptions search =
-        searchFrom(tools.replayer.groups(), tools.replayer.mechanism(), start, settingLook);
+        searchFrom(tools.replayer.groups(), tools.replayer.mechanism(), start, settingRounds);
     search.keepsConfigured = true;
     for (CauseKind& kind : search.configured) kind.lower = 1 / settingHeld, kind.upper = settingHeld;
     std::vector<SetProposal> found = proposedByDerivatives(tools, quickly(options), kinds, std::move(search));
@@ -217,8 +217,9 @@ std::vector<Explanation> withMoreSettings(const SearchTools& tools, const BeamRe
     return start;
   };
   std::vector<Explanation> starts;
-  if (!options.settings.empty()) starts.push_back(with(options.settings));
-  if (options.settings.empty())
+  if (!options.settings.empty())
+    starts.push_back(with(options.settings));
+  else
     for (const Cause& setting : proposedSettings(*tools.coarse, causes, mostSettings))
       starts.push_back(with({setting}));
   std::erase_if(starts, [&](const Explanation& start) { return start.size() > options.mostCauses; });

@@ -10,12 +10,6 @@ namespace plumbline::gap {
 
 namespace {
 
-std::size_t inactiveAmong(const Cause& cause, const std::vector<std::string>& recordings) {
-  return static_cast<std::size_t>(std::ranges::count_if(recordings, [&](const std::string& recording) {
-    return std::ranges::find(cause.inactiveIn, recording) != cause.inactiveIn.end();
-  }));
-}
-
 /// Log density of what a hypothesis leaves in each recording.
 std::map<std::string, double> densityPerRecording(const Replayer& replayer, const Shares& shares,
                                                   const Explanation& causes) {
@@ -52,8 +46,7 @@ double priceOfMasks(const Explanation& causes, const std::vector<std::string>& r
 }
 
 Explanation expectedElsewhere(Explanation causes, const std::vector<std::string>& recordings) {
-  std::erase_if(causes,
-                [&](const Cause& cause) { return 2 * inactiveAmong(cause, recordings) > recordings.size(); });
+  std::erase_if(causes, [&](const Cause& cause) { return !isExpectedElsewhere(cause, recordings); });
   for (Cause& cause : causes) cause.inactiveIn.clear();
   return causes;
 }

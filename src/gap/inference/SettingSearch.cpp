@@ -12,22 +12,17 @@ namespace plumbline::gap {
 namespace {
 
 constexpr double spacing = 1.15;      // of strengths that are replayed
-constexpr double clear = 0.2;         // share of a recording's squares that is gained or lost
+constexpr double clearShare = 0.2;    // of a recording's squares that is gained or lost
 constexpr double nearlyAsGood = 0.9;  // of a single joint's gain, from which on all joints share a setting
 
-/// Strengths over the range of the starts of a search.
-std::vector<double> strengthsOf(const Mechanism& robot, const Cause& kind) {
-  double least = HUGE_VAL, most = 0;
+/// How many strengths span the range of the starts of a search.
+std::size_t numStrengths(const Mechanism& robot, const Cause& kind) {
   const double scale = kind.effect->scaleAt(robot, kind.place);
-  for (const double start : kind.effect->starts) {
-    const double strength = std::abs(kind.effect->strengthOf(start * scale));
-    least = std::min(least, strength);
-    most = std::max(most, strength);
-  }
-  const auto count = static_cast<std::size_t>(std::lround(std::log(most / least) / std::log(spacing)));
-  std::vector<double> strengths(count + 1, least);
-  for (std::size_t k = 1; k < strengths.size(); ++k) strengths[k] = strengths[k - 1] * spacing;
-  return strengths;
+  double most = 0;
+  for (const double start : kind.effect->starts)
+    most = std::max(most, std::abs(kind.effect->strengthOf(start * scale)));
+  return 1 +
+         static_cast<std::size_t>(std::lround(std::log(most / leastStart(robot, kind)) / std::log(spacing)));
 }
 
 using PerRecording = std::map<std::string, double>;
@@ -49,7 +44,7 @@ struct Rated {
 class SettingScan {
 public:
   SettingScan(const Replayer& replayer, const Explanation& base)
-      : replayer_(replayer), base_(base), before_(squaresOf(base)), whole_(summed(before_)) {}
+      : replayer_(replayer), base_(base), before_(squaresWith(base)), whole_(summed(before_)) {}
 
   /// The best of an effect, of all its places, strengths and forms; without an effect if none gains.
   Rated best(const Effect& effect) const {
@@ -61,50 +56,53 @@ public:
 private:
   void look(const Effect& effect, int variant, Rated& shared, Rated& single) const {
     const Mechanism& robot = replayer_.mechanism();
-    std::vector<Cause> joints, everywhere;
+    struct Tried {
+      Cause cause;
+      double strength;
+    };
+    std::vector<Tried> joints, everywhere;
     for (const Place& place : placesOf(effect, robot)) {
       if (effect.canBeAt && !effect.canBeAt(robot, place)) continue;
-      if (place.site == Site::joint) joints.push_back({&effect, place, 0, variant});
+      const Cause kind{&effect, place, 0, variant};
+      if (place.site == Site::joint) joints.push_back({kind, leastStart(robot, kind)});
       if (place.site == Site::everywhere && place.index < 0)
-        everywhere.push_back({&effect, place, 0, variant});
+        everywhere.push_back({kind, leastStart(robot, kind)});
     }
     if (joints.empty()) return;
     Explanation rest = base_;
     std::erase_if(rest, [&](const Cause& cause) { return cause.effect == &effect; });
-    const Squares without = rest.size() < base_.size() ? squaresOf(rest) : before_;
-    const std::size_t count = strengthsOf(robot, joints.front()).size();
+    const Squares without = rest.size() < base_.size() ? squaresWith(rest) : before_;
     const auto take = [](Rated rated, Rated& into) {
       if (rated.gain > into.gain) into = std::move(rated);
     };
+    const std::size_t count = numStrengths(robot, joints.front().cause);
     for (std::size_t k = 0; k < count; ++k) {
       Explanation tried = rest;
-      for (Cause& joint : joints) tried.push_back(joint = withStrength(robot, joint, strengthAt(joint, k)));
-      const Squares with = squaresOf(tried);
-      for (const Cause& joint : joints)
-        if (const int motor = robot.motorOf(joint.place.index); with.contains(motor))
-          take(rated(joint, with.at(motor), without.at(motor), before_.at(motor)), single);
-      for (const Cause& all : everywhere)
-        take(rated(withStrength(robot, all, strengthAt(all, k)), summed(with), summed(without), whole_),
+      for (Tried& joint : joints)
+        tried.push_back(joint.cause = withStrength(robot, joint.cause, joint.strength));
+      const Squares with = squaresWith(tried);
+      for (Tried& joint : joints) {
+        if (const int motor = robot.motorOf(joint.cause.place.index); with.contains(motor))
+          take(rated(joint.cause, with.at(motor), without.at(motor), before_.at(motor)), single);
+        joint.strength *= spacing;
+      }
+      for (Tried& all : everywhere) {
+        take(rated(withStrength(robot, all.cause, all.strength), summed(with), summed(without), whole_),
              shared);
+        all.strength *= spacing;
+      }
     }
   }
 
-  double strengthAt(const Cause& kind, std::size_t k) const {
-    const std::vector<double> strengths = strengthsOf(replayer_.mechanism(), kind);
-    return strengths[std::min(k, strengths.size() - 1)];
-  }
-
-  Squares squaresOf(const Explanation& causes) const {
+  Squares squaresWith(const Explanation& causes) const {
     const Groups& groups = replayer_.groups();
     const Residuals residuals = replayer_.residuals(causes);
     Squares squares;
     for (const Cell& cell : groups.cells()) {
+      if (!isPosition(groups, cell)) continue;
       const Trial& trial = groups.trials()[cell.trial];
-      const Signal& signal = trial.signals[cell.signal];
-      if (signal.kind != SignalKind::position) continue;
-      double& sum = squares[replayer_.mechanism().motorOf(signal.joint)][trial.recording];
-      for (const double r : residualsOf(cell, residuals))
-        if (std::isfinite(r)) sum += r * r;
+      const int motor = replayer_.mechanism().motorOf(trial.signals[cell.signal].joint);
+      squares[motor][trial.recording] += squaresOf(residualsOf(cell, residuals));
     }
     return squares;
   }
@@ -119,7 +117,7 @@ private:
       if (whole > 0) rated.gain += (before.at(recording) - std::min(square, rest)) / whole;
       better += square < rest ? 1 : 0;
       const double loss = whole > 0 ? (square - rest) / whole : 0;
-      if (loss > clear) rated.worse.emplace_back(loss, recording);
+      if (loss > clearShare) rated.worse.emplace_back(loss, recording);
     }
     return better > 0 ? rated : Rated{};
   }
@@ -137,7 +135,7 @@ std::vector<Cause> proposedSettings(const Replayer& replayer, const Explanation&
   std::vector<Rated> ratings;
   for (const Effect* effect : effects())
     if (effect->setting)
-      if (Rated rated = scan.best(*effect); rated.gain > clear) ratings.push_back(std::move(rated));
+      if (Rated rated = scan.best(*effect); rated.gain > clearShare) ratings.push_back(std::move(rated));
   std::ranges::stable_sort(ratings, std::ranges::greater(), &Rated::gain);
   std::vector<Cause> proposed;
   for (Rated& rated : ratings) {

@@ -42,12 +42,16 @@ std::string SettingSeen::sentence() const {
   return folder + ": " + text;
 }
 
-std::vector<SettingSeen> settingsSeen(const Trial& trial, const std::vector<SettingChoice>& choices) {
+std::vector<SettingSeen> settingsSeen(const Trial& trial, const Prediction& nominal, double expectedLeft,
+                                      const std::vector<SettingChoice>& choices) {
   std::vector<SettingSeen> seen;
   seen.reserve(choices.size());
-  for (const SettingChoice& choice : choices)
-    seen.push_back({trial.recording, choice.effect, choice.expected, leftIn(trial, {{0, choice.with}}).after,
-                    leftIn(trial, {{0, choice.without}}).after});
+  for (const SettingChoice& choice : choices) {
+    const double otherLeft =
+        leftIn(trial, nominal, {{0, choice.expected ? choice.without : choice.with}}).after;
+    seen.push_back({trial.recording, choice.effect, choice.expected,
+                    choice.expected ? expectedLeft : otherLeft, choice.expected ? otherLeft : expectedLeft});
+  }
   return seen;
 }
 

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "gap/diagnosis/Explanation.h"
+#include "gap/replay/Replay.h"
 #include "gap/replay/Trial.h"
 
 namespace plumbline::gap {
@@ -27,12 +28,15 @@ struct SettingSeen {
   double with = 0, without = 0;
 
   bool isNearerWith() const { return with <= without; }
-  /// What is expected leaves a tenth more than the other.
-  bool isUnexpected() const { return expected ? with > 1.1 * without : without > 1.1 * with; }
+  static constexpr double clearlyMore = 1.1;
+  /// What is expected leaves clearly more than the other.
+  bool isUnexpected() const { return expected ? with > clearlyMore * without : without > clearlyMore * with; }
   /// For people: "multisine: with acceleration_limit 15.5 mrad are left, without it 3.5: ...".
   std::string sentence() const;
 };
 
-std::vector<SettingSeen> settingsSeen(const Trial& trial, const std::vector<SettingChoice>& choices);
+/// nominal: the replay of the nominal model. expectedLeft: what the answer's expectation leaves [rad, or m].
+std::vector<SettingSeen> settingsSeen(const Trial& trial, const Prediction& nominal, double expectedLeft,
+                                      const std::vector<SettingChoice>& choices);
 
 }  // namespace plumbline::gap

@@ -85,8 +85,9 @@ void check(const CheckOptions& options) {
   std::vector<RecordingLeft> left(trials.size());
   std::vector<std::vector<SettingSeen>> settings(trials.size());
   parallel(trials.size(), threadsFor(options.jobs), [&](std::size_t i) {
-    left[i] = leftIn(trials[i], {{0, causes}});
-    settings[i] = settingsSeen(trials[i], choices);
+    const Prediction nominal = replay(plantOf(trials[i], {}), trials[i]);
+    left[i] = leftIn(trials[i], nominal, {{0, causes}});
+    settings[i] = settingsSeen(trials[i], nominal, left[i].after, choices);
   });
   putFloors(trials, left);
   putNoise(trials, left);

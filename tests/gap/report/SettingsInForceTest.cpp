@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "../SomeRecordings.h"
+#include "gap/inference/HoldOut.h"
 
 namespace plumbline::gap {
 
@@ -50,7 +51,9 @@ TEST(SettingsInForce, aRecordingSaysWhetherItHadTheSetting) {
   const std::vector<Trial> trials = someRecordings(truth(), "tuesday");
   const auto choices = settingChoices(answerWithALimit(true), "a.json", arm, truth());
   for (const Trial& trial : trials) {
-    const SettingSeen seen = settingsSeen(trial, choices).at(0);
+    const Prediction nominal = replay(plantOf(trial, {}), trial);
+    const double left = leftIn(trial, nominal, {{0, truth()}}).after;
+    const SettingSeen seen = settingsSeen(trial, nominal, left, choices).at(0);
     EXPECT_EQ(seen.isUnexpected(), trial.recording == "tuesday");
     EXPECT_EQ(seen.isNearerWith(), trial.recording != "tuesday");
   }
