@@ -79,18 +79,20 @@ void SearchRounds::begin(CommandLosses lost, const std::vector<Prediction>& pred
 
 void SearchRounds::run(StoredParts& parts) {
   const bool mayLose = mayHaveLostCommands(sent());
+  bool many = false;  // causes, more than are fitted set by set
   // A set of causes that is searched for first takes in what lost commands do.
   if (mayLose && !decode({}) && repeatsDiffer(sent())) {
     rounds_.back()->search.findFew(parts);
+    many = !explained();
     decode(last().search.causes());
   }
-  rounds_.back()->search.findFirst(parts);
+  rounds_.back()->search.findFirst(parts, many);
   while (mayLose && rounds_.size() < mostRounds) {
     const Explanation causes = last().search.causes();
     // Without causes nothing was lost, as is known already. Nor is anything looked for where nothing is left.
     if (!lost_.any() && (causes.empty() || (explained() && !repeatsDiffer(sent())))) break;
     if (!decode(causes)) break;
-    rounds_.back()->search.findFirst(parts);
+    rounds_.back()->search.findFirst(parts, many);
   }
   rounds_.back()->search.finish(parts);
   if (lost_.any())

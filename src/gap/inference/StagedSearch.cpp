@@ -105,8 +105,9 @@ BeamResult StagedSearch::searchAllKinds(const std::string& part, std::size_t gro
   return parts.search(part, groups, run);
 }
 
-void StagedSearch::findFirst(StoredParts& parts) {
+void StagedSearch::findFirst(StoredParts& parts, bool expectMany) {
   search_ = {};
+  search_.expectMany = coarse_ && expectMany;
   search_.mostCauses = mostCauses();
   find(setsOfCauses + name_, parts);
 }

@@ -43,8 +43,8 @@ public:
                const std::vector<Prediction>& predicted = {}, std::string name = "",
                StagedSearch* alike = nullptr);
 
-  /// The first stage's sets.
-  void findFirst(StoredParts& parts);
+  /// The first stage's sets. expectMany: see SetSearchOptions.
+  void findFirst(StoredParts& parts, bool expectMany);
   /// The same, quickly: sets of few causes.
   void findFew(StoredParts& parts);
   /// After that: what is found without each group, and the second stage.
