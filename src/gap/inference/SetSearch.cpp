@@ -51,18 +51,13 @@ BeamResult withOthers(const Replayer& replayer, BeamResult found, const std::vec
     const Explanation& causes = *one;
     const auto alike = [&](const Explanation& other) { return sameKinds(other, causes); };
     if (alike(answers.front().set.causes()) || std::any_of(others.begin(), one, alike)) continue;
-    SetProposal proposal{judged(causes), {}};
-    if (proposal.set.score() <= answers.front().set.score()) {
-      found.sets.push_back(std::move(proposal.set));
+    Scored set = judged(causes);
+    if (set.score() <= answers.front().set.score()) {
+      found.sets.push_back(std::move(set));
       continue;
     }
-    if (!idleCauses(replayer, proposal.set.causes()).empty()) continue;
-    for (std::size_t i = 0; i < causes.size(); ++i) {
-      Explanation rest = proposal.set.causes();
-      rest.erase(rest.begin() + static_cast<std::ptrdiff_t>(i));
-      proposal.lessOne.push_back(judged(rest));
-    }
-    answers.push_back(std::move(proposal));
+    if (!idleCauses(replayer, set.causes()).empty()) continue;
+    answers.push_back(withLessOne(replayer, std::move(set), found.kinds));
   }
   return chosen(answers, {found.sets.begin() + 1, found.sets.end()}, found.kinds);
 }
