@@ -23,18 +23,13 @@ public:
 
   std::vector<SetProposal> run() {
     const StrengthSet start = fitter_.setOf(options_.start);
-    if (options_.rounds > 0) {
-      lookFrom(start, fitter_.all());
-    } else {
-      lookFrom(start, start.kinds);
-      collect(start.kinds);
-    }
+    lookFrom(start);
     std::set<std::vector<std::size_t>> seen;
     std::vector<std::size_t> kinds = start.kinds;
     for (int round = 0; round < options_.rounds; ++round) {
       report(0.8 * round / options_.rounds);
       const StrengthSet set = fitter_.refine(climb(kinds), stepsOfRound);
-      lookFrom(set, fitter_.all());
+      lookFrom(set);
       collect(set.kinds);
       if (!seen.insert(set.kinds).second) break;
       kinds = set.kinds;
@@ -48,10 +43,10 @@ private:
     if (options_.progress) options_.progress(share);
   }
 
-  /// Linearises again, about a set, by the strengths of these kinds.
-  void lookFrom(const StrengthSet& set, const std::vector<std::size_t>& kinds) {
+  /// Linearises again, about a set.
+  void lookFrom(const StrengthSet& set) {
     sharesUpdated_ = replayer_.updateColumnShares(fitter_.causesOf(set));
-    linear_.emplace(fitter_.linearise(set, kinds));
+    linear_.emplace(fitter_.linearise(set, fitter_.all()));
     scored_.clear();
   }
 
@@ -71,9 +66,7 @@ private:
   }
 
   /// Whether no move takes a kind out: the last ones are those that were configured.
-  bool stays(std::size_t kind) const {
-    return options_.keepsConfigured && kind + options_.configured.size() >= fitter_.kinds().size();
-  }
+  bool stays(std::size_t kind) const { return kind + options_.configured.size() >= fitter_.kinds().size(); }
 
   static std::vector<std::size_t> lessOne(std::vector<std::size_t> kinds, std::size_t kind) {
     std::erase(kinds, kind);

@@ -8,14 +8,14 @@ namespace plumbline::gap {
 
 struct LinearSearchOptions {
   std::size_t mostCauses = 8;
-  int rounds = 8;                 ///< of new derivatives, at most; 0: nothing is added to the start
+  int rounds = 8;                 ///< of new derivatives, at most
   std::size_t mostSettled = 100;  ///< sets that are fitted to their end, those with the best scores
   /// Which causes of a fitted set do nothing, by index: they leave it, and the others are fitted again. Null:
   /// nobody looks.
   std::function<std::vector<std::size_t>(const Explanation&)> idleCauses = {};
-  std::vector<CauseKind> configured = {};  ///< kinds in addition to those of the replayer
-  bool keepsConfigured = false;            ///< no move takes one of them out
-  Explanation start = {};                  ///< where the search begins, of these kinds
+  std::vector<CauseKind> configured =
+      {};                  ///< kinds in addition to those of the replayer; no move takes one out
+  Explanation start = {};  ///< where the search begins, of these kinds
   std::function<void(double share)> progress = {};
 };
 

@@ -17,11 +17,11 @@ namespace plumbline::gap {
 
 namespace {
 
-constexpr int rounds = 4;                        // of derivatives
-constexpr std::size_t fittedSets = 3;            // of those that they propose
-constexpr std::size_t mostSettings = 3;          // that are tried
-constexpr int mostLooks = 2;                     // from the best set on
-constexpr double few = 0.15, setsByThem = 0.35;  // of the time of a search
+constexpr int rounds = 4;                                  // of derivatives
+constexpr std::size_t fittedSets = 3;                      // of those that they propose
+constexpr std::size_t mostSettings = 3;                    // that are tried
+constexpr int mostLooks = 2;                               // from the best set on
+constexpr double untilSmall = 0.15, untilProposed = 0.35;  // of a search's progress
 
 /// A set with a setting, in the place of the same effect there.
 Explanation withSetting(Explanation causes, const Cause& setting) {
@@ -32,10 +32,6 @@ Explanation withSetting(Explanation causes, const Cause& setting) {
   std::erase_if(causes, replaced);
   causes.push_back(setting);
   return causes;
-}
-
-const SetProposal& bestOf(const std::vector<SetProposal>& proposals) {
-  return *std::ranges::max_element(proposals, {}, [](const SetProposal& of) { return of.set.score(); });
 }
 
 class DerivativeSearch {
@@ -56,11 +52,11 @@ public:
     LinearSearchOptions search;
     search.rounds = rounds;
     search.mostSettled = fittedSets;
-    search.progress = partOf(options_.progress, options_.expectMany ? 0 : few, setsByThem);
-    std::vector<SetProposal> answers = proposed(std::move(search));
-    answers.push_back({noCauses(), {}});
+    search.progress = partOf(options_.progress, options_.expectMany ? 0 : untilSmall, untilProposed);
+    std::vector<SetProposal> answers{{noCauses(), {}}};
+    addScored(tools_.replayer, proposed(std::move(search)), kinds_, answers);
     const Scored& best = bestOf(answers).set;
-    if (best.causes().empty() && !small.sets.empty()) return small;
+    if (best.causes().empty() && !small.sets.empty()) return withMore(std::move(small));
     Scored set = improved(climbed(tools_, best.causes(), kinds_));
     addScored(tools_.replayer, {withLessOne(*tools_.coarse, std::move(set), kinds_)}, kinds_, answers);
     // The best small set stopped at the limit, so it is no rival of large sets.
@@ -68,11 +64,11 @@ public:
   }
 
 private:
-  /// Fitted set by set.
+  /// Sets of few causes, fitted set by set.
   BeamResult smallSets() const {
     BeamOptions beam = static_cast<const BeamOptions&>(options_);
     beam.mostCauses = std::min(options_.mostCauses, mostSetBySet);
-    beam.progress = partOf(options_.progress, 0, few);
+    beam.progress = partOf(options_.progress, 0, untilSmall);
     return searchSets(tools_.replayer, beam);
   }
 
@@ -81,6 +77,7 @@ private:
     return score(replayer, sharesOf(replayer.groups(), replayer.residuals({})), {}, kinds_, 0);
   }
 
+  /// What was fitted set by set, or with settings.
   BeamResult withMore(BeamResult small) {
     std::vector<SetProposal> answers{{small.sets.front(), small.lessOne}};
     const Scored& known = answers.front().set;
@@ -89,13 +86,11 @@ private:
     return chosen(answers, {small.sets.begin() + 1, small.sets.end()}, kinds_);
   }
 
-  /// Sets that derivatives propose, scored by free replays.
+  /// Sets that derivatives propose, not yet scored by free replays.
   std::vector<SetProposal> proposed(LinearSearchOptions search) {
     search.mostCauses = options_.mostCauses;
     search.idleCauses = [this](const Explanation& causes) { return idleCauses(tools_.replayer, causes); };
-    std::vector<SetProposal> answers;
-    addScored(tools_.replayer, proposedSets(coefficients_, search), kinds_, answers);
-    return answers;
+    return proposedSets(coefficients_, search);
   }
 
   /// Sets that derivatives are taken at: what was found, unless it was fitted set by set, and the same with
@@ -125,13 +120,13 @@ private:
     if (worstOf(tools_.replayer, best.causes()).share() <= 1) return best;
     std::vector<Explanation> starts = startsFrom(best);
     for (int look = 0; look < mostLooks && !starts.empty(); ++look) {
-      const double from = setsByThem + (1 - setsByThem) * look / mostLooks;
+      const double from = untilProposed + (1 - untilProposed) * look / mostLooks;
       std::optional<Scored> next;
       for (std::size_t i = 0; i < starts.size(); ++i) {
         std::optional<Scored> set = grown(starts[i], best.causes());
         if (set && (!next || set->score() > next->score())) next = std::move(set);
         if (options_.progress)
-          options_.progress(from + (1 - setsByThem) / mostLooks * static_cast<double>(i + 1) /
+          options_.progress(from + (1 - untilProposed) / mostLooks * static_cast<double>(i + 1) /
                                        static_cast<double>(starts.size()));
       }
       if (!next || next->score() <= best.score()) break;
@@ -148,7 +143,6 @@ private:
     search.rounds = rounds;
     search.mostSettled = 1;
     search.start = start;
-    search.keepsConfigured = true;
     for (const Cause& cause : start)
       if (cause.effect->setting) {
         search.configured.push_back(

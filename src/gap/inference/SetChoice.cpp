@@ -30,12 +30,15 @@ bool sameKinds(const Explanation& a, const Explanation& b) {
          });
 }
 
+const SetProposal& bestOf(const std::vector<SetProposal>& proposals) {
+  return *std::ranges::max_element(proposals, {}, [](const SetProposal& of) { return of.set.score(); });
+}
+
 BeamResult chosen(const std::vector<SetProposal>& answers, const std::vector<Scored>& alsoTried,
                   std::size_t kinds) {
-  const auto best =
-      std::ranges::max_element(answers, {}, [](const SetProposal& of) { return of.set.score(); });
-  const Scored answer = best->set;
-  BeamResult result{{}, best->lessOne, kinds};
+  const SetProposal& best = bestOf(answers);
+  const Scored& answer = best.set;
+  BeamResult result{{}, best.lessOne, kinds};
   std::vector<Scored> others = alsoTried;
   for (const SetProposal& of : answers) others.push_back(of.set);
   others.insert(others.end(), result.lessOne.begin(), result.lessOne.end());
@@ -54,7 +57,8 @@ void addScored(const Replayer& replayer, std::vector<SetProposal> proposals, std
   };
   for (SetProposal& proposal : proposals) {
     judge(proposal.set);
-    for (Scored& rest : proposal.lessOne) judge(rest);
+    if (answers.empty() || proposal.set.score() > bestOf(answers).set.score())
+      for (Scored& rest : proposal.lessOne) judge(rest);
     answers.push_back(std::move(proposal));
   }
 }

@@ -8,7 +8,8 @@ namespace plumbline::gap {
 struct SearchTools {
   const Replayer& replayer;           ///< that sets are judged by
   WindowReplayer* windows = nullptr;  ///< of a robot with few kinds of causes
-  /// Of a robot with many kinds of causes: with long steps (withLongSteps), for quick searches.
+  /// Of a robot with many kinds of causes: with long steps (withLongSteps). Sets are proposed and fitted
+  /// with it.
   const Replayer* coarse = nullptr;
 
   /// See Replayer.
